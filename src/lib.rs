@@ -43,6 +43,7 @@ pub mod numerics;
 pub mod observe;
 pub mod orient;
 pub mod pair;
+pub(crate) mod parallel;
 pub mod path;
 pub mod plan;
 pub mod read;

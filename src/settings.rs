@@ -11,6 +11,10 @@
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
+mod reader;
+
+pub use reader::{from_toml, from_value, to_value};
+
 use crate::error::{Error, Result, Stage};
 
 /// Declares a section of the job file, see the module's page.
@@ -170,11 +174,6 @@ pub(crate) fn check(stage: Stage, key: &str, value: &dyn Number, range: &RangeIn
     Err(Error::usage(stage, format!("{key} is {v}, it must be {lo} and at most {hi}")))
 }
 
-/// What is wrong with a TOML text, in one line of plain words: the parser speaks of its own types.
-pub fn in_words(e: &toml::de::Error) -> String {
-    plain(&e.message().trim().replace('\n', " "))
-}
-
 /// `invalid type: string "2", expected f64` as `a number is wanted, not the text "2"`; any other
 /// message as it is.
 fn plain(message: &str) -> String {
@@ -214,7 +213,7 @@ fn bare(found: &str) -> String {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use super::in_words;
+    use super::from_toml;
 
     #[test]
     fn types_of_the_parser_are_told_in_words() {
@@ -259,7 +258,7 @@ mod tests {
                 "unknown field `nomber`, expected one of `number`, `count`, `list`, `three`, `yes`, `name`, `inner`",
             ),
         ] {
-            assert_eq!(in_words(&toml::from_str::<All>(text).unwrap_err()), says, "{text}");
+            assert_eq!(from_toml::<All>(text).unwrap_err().words, says, "{text}");
         }
     }
 }

@@ -7,7 +7,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// What a folder of `src` may import besides itself, `error`, `observe` and `settings`;
+/// What a folder of `src` may import besides itself, `error`, `observe`, `parallel` and `settings`;
 /// `None`: anything.
 fn allowed(room: &str) -> Option<&'static [&'static str]> {
     const STAGE: &[&str] = &["numerics", "geometry", "artifact", "tool", "machine"];
@@ -27,7 +27,7 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
         "schedule", "smooth", "lead", "feed", "verify", "write", "job", "plan", "files",
     ];
     Some(match room {
-        "numerics" | "error" | "observe" | "settings" | "files" => &[],
+        "numerics" | "error" | "observe" | "parallel" | "settings" | "files" => &[],
         "geometry" => &["numerics"],
         "artifact" => &["numerics", "geometry"],
         "tool" => &["numerics", "geometry", "artifact"],
@@ -55,6 +55,8 @@ fn users(outside: &str) -> Option<&'static [&'static str]> {
     Some(match outside {
         "clap" | "clap_complete" | "clap_mangen" | "indicatif" | "signal_hook" => &["cli"],
         "fs" | "tempfile" => &["files", "read", "run", "batch", "cli"],
+        // Loops go through `parallel`; the others make pools of threads.
+        "rayon" => &["parallel", "geometry", "batch", "cli"],
         "parquet" | "csv" | "glob" | "object_store" | "tokio" => &["batch", "make"],
         "step_io" => &["read", "make"],
         "tobj" => &["read"],
@@ -291,7 +293,7 @@ fn place(path: &Named, module: &[String], known: &HashMap<String, Place>) -> Pla
 /// own unit tests may name any crate.
 fn against(module: &[&str], is_test: bool, text: &str) -> Vec<(usize, String)> {
     // `sample` exists in unit tests only: the compiler keeps it out of the product.
-    const EVERYWHERE: [&str; 7] = ["error", "observe", "settings", "Error", "ErrorKind", "Stage", "sample"];
+    const EVERYWHERE: [&str; 8] = ["error", "observe", "parallel", "settings", "Error", "ErrorKind", "Stage", "sample"];
     let room = module[0];
     let inside: Vec<String> = module.iter().filter(|m| !["lib", "main"].contains(m)).map(|m| (*m).to_owned()).collect();
     let (tokens, mut known, mut found) = (tokens(text), HashMap::new(), Vec::new());

@@ -6,7 +6,7 @@ use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job;
 use crate::make::{BladeDesign, Law, presets};
-use crate::settings::in_words;
+use crate::settings::{from_value, to_value};
 
 /// Variations of a design, beside its own keys.
 pub(super) const VARIATIONS: [(&str, &str); 3] = [
@@ -40,9 +40,9 @@ pub(super) fn set(
     if section == "vary" {
         return vary(design, key, value);
     }
-    let mut root = toml::Value::try_from(&*design).map_err(|e| e.to_string())?;
+    let mut root = to_value(design)?;
     job::insert(&mut root, key, value.clone())?;
-    *design = root.try_into().map_err(|e: toml::de::Error| in_words(&e))?;
+    *design = from_value(&root)?;
     Ok(())
 }
 

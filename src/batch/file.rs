@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Error, Result, Stage};
 use crate::job::JobFile;
 use crate::run::inputs;
-use crate::settings::in_words;
+use crate::settings::{from_toml, from_value};
 
 /// The family file. Exactly one of `models`, `table` and `design` says what the members are, or none, where the template names the
 /// model; `ranges` multiply them. A parameter is a key of the job (`tool.radius_mm`), of the generator's design
@@ -116,7 +116,7 @@ impl TryFrom<toml::Value> for Range {
             toml::Value::Array(list) if list.is_empty() => Err("the list is empty".into()),
             toml::Value::Array(list) => Ok(Range(list)),
             toml::Value::Table(_) => {
-                let even: Even = value.try_into().map_err(|e: toml::de::Error| in_words(&e))?;
+                let even: Even = from_value(&value)?;
                 let (n, finite) = (even.count, even.from.is_finite() && even.to.is_finite());
                 if !finite || !(2..=MOST_MEMBERS as u32).contains(&n) {
                     return Err(format!("a range needs finite ends and a count from 2 to {MOST_MEMBERS}"));
@@ -170,12 +170,11 @@ pub fn load(path: &Path) -> Result<FamilyFile> {
 /// # Errors
 /// `Usage` with name, line and key.
 pub fn parse(text: &str, name: &str) -> Result<FamilyFile> {
-    toml::from_str(text).map_err(|e| {
-        let line = e.span().map(|s| text.get(..s.start).unwrap_or(text).matches('\n').count() + 1);
-        let place = line.map_or_else(|| name.to_owned(), |l| format!("{name}, line {l}"));
-        let shown = line.and_then(|l| text.lines().nth(l - 1)).map(str::trim).filter(|l| !l.is_empty());
+    from_toml(text).map_err(|e| {
+        let place = e.line.map_or_else(|| name.to_owned(), |l| format!("{name}, line {l}"));
+        let shown = e.line.and_then(|l| text.lines().nth(l - 1)).map(str::trim).filter(|l| !l.is_empty());
         let shown = shown.map(|l| format!(" at `{l}`")).unwrap_or_default();
-        Error::usage(Stage::Batch, format!("{place}{shown}: {}", in_words(&e)))
+        Error::usage(Stage::Batch, format!("{place}{shown}: {}", e.words))
             .advise("models/family.schema.json lists every key")
     })
 }

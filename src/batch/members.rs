@@ -12,7 +12,7 @@ use crate::error::{Error, Result, Stage};
 use crate::job::JobFile;
 use crate::make::BladeDesign;
 use crate::run::inputs;
-use crate::settings::in_words;
+use crate::settings::{from_value, to_value};
 
 /// Where a member's blade comes from.
 #[derive(Clone, Debug, PartialEq)]
@@ -124,10 +124,10 @@ fn template(file: &FamilyFile, base: &Path) -> Result<JobFile> {
         of_file = absolute(inputs::job(&path)?, path.parent().unwrap_or(base));
     }
     let Some(keys) = &file.template else { return Ok(of_file) };
-    let value = |j: &JobFile| toml::Value::try_from(j).map_err(|e| usage(format!("the template job: {e}")));
+    let value = |j: &JobFile| to_value(j).map_err(|e| usage(format!("the template job: {e}")));
     let mut root = value(&of_file)?;
     overlay(&mut root, value(&absolute(keys.clone(), base))?);
-    root.try_into().map_err(|e: toml::de::Error| usage(format!("the template job: {}", in_words(&e))))
+    from_value(&root).map_err(|e| usage(format!("the template job: {e}")))
 }
 
 fn overlay(under: &mut toml::Value, over: toml::Value) {

@@ -26,8 +26,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Mutex;
 
-use rayon::prelude::*;
-
 mod address;
 mod columns;
 mod crew;
@@ -59,6 +57,7 @@ pub use worker::Effort;
 
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::observe::{Observer, Silent};
+use crate::parallel;
 use address::{Address, Contents, Estimate};
 use crew::{Means, Task};
 use store::{RECORD, Store};
@@ -139,7 +138,7 @@ pub fn run(family: &Family, out: &str, options: &BatchOptions, watch: &dyn Watch
     let store = place::open(out, family, &options.shard.label())?;
     let known = plan.known(&*store)?;
     let to_do: Vec<usize> =
-        plan.mine.par_iter().copied().filter(|k| plan.is_due(*k, known.get(k), options, &*store)).collect();
+        parallel::filter(plan.mine.iter().copied(), |k| plan.is_due(*k, known.get(k), options, &*store));
     watch.begins(to_do.len(), plan.mine.len() - to_do.len());
     let made = Mutex::new(BTreeMap::new());
     let work = |k: usize, threads: usize| {

@@ -6,13 +6,13 @@
 //! other values: it changes with lean and tool. Stick-out and holder are found by bisection: a
 //! longer shank in place of holder, or a slimmer holder, never takes room away.
 
-use rayon::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::artifact::Toolpath;
 use crate::artifact::channel::{Sweep, Width};
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Silent};
+use crate::parallel;
 use crate::tool::Tool;
 
 use super::forbidden::Free;
@@ -119,7 +119,7 @@ impl<'a> WidthSearch<'a> {
             }
             Ok(Some(width))
         };
-        let found: Vec<Option<Width>> = self.stretches.par_iter().enumerate().map(one).collect::<Result<_>>()?;
+        let found: Vec<Option<Width>> = parallel::try_map(self.stretches.iter().enumerate(), one)?;
         let mut all = found.into_iter().flatten();
         let Some(mut least) = all.next() else {
             return Err(Error::usage(Stage::Channel, "the tool path has no cutter locations"));
@@ -145,17 +145,25 @@ impl<'a> WidthSearch<'a> {
         {
             return Ok(false);
         }
-        let others = self.stretches.par_iter().enumerate().filter(|(i, _)| *i != likeliest);
-        let ended = others.try_for_each(|(i, s)| match self.width_of(s, tool, options, false) {
-            Ok(w) if w.is_open() => Ok(()),
-            Ok(_) => {
-                self.closed.store(i, Ordering::Relaxed);
-                Err(None)
+        let others = self.stretches.iter().enumerate().filter(|(i, _)| *i != likeliest);
+        let closed = AtomicBool::new(false);
+        let ended = parallel::try_map(others, |(i, s)| {
+            // Whichever is closed says it for all.
+            if closed.load(Ordering::Relaxed) {
+                return Err(None);
             }
-            Err(e) => Err(Some(e)),
+            match self.width_of(s, tool, options, false) {
+                Ok(w) if w.is_open() => Ok(()),
+                Ok(_) => {
+                    self.closed.store(i, Ordering::Relaxed);
+                    closed.store(true, Ordering::Relaxed);
+                    Err(None)
+                }
+                Err(e) => Err(Some(e)),
+            }
         });
         match ended {
-            Ok(()) => Ok(true),
+            Ok(_) => Ok(true),
             Err(None) => Ok(false),
             Err(Some(e)) => Err(e),
         }
@@ -199,7 +207,7 @@ impl<'a> WidthSearch<'a> {
             check_lean(b.to_radians())?;
             self.leaning(b.to_radians()).width(tool, options)
         };
-        b_deg.par_iter().map(one).collect()
+        parallel::try_map(b_deg, one)
     }
 }
 

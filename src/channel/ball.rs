@@ -4,13 +4,12 @@
 //! From the part the ball is kept by the path. A fixture is closed: where the first ball centre is
 //! outside and no move brings the ball to its surface, ball and tool stay outside.
 
-use rayon::prelude::*;
-
 use super::report;
 use crate::artifact::{Blade, Obstacle, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage, turn_number};
 use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
+use crate::parallel;
 
 /// Checks all moves against all fixtures; the stock may be cut.
 ///
@@ -29,11 +28,11 @@ pub(super) fn check(path: &Toolpath, blade: &Blade, obstacles: &[Obstacle]) -> R
             let near = beside.into_iter().flatten().filter_map(|k| path.locations.get(k));
             near.map(|l| (l.centre - path.locations[i].centre).norm()).fold(0.0, f64::max)
         };
-        let hit = (0..path.locations.len()).into_par_iter().find_first(|&i| {
+        let clear = parallel::try_map(0..path.locations.len(), |i| {
             let cap = path.radius_mm + o.clearance_mm + 0.5 * step(i);
-            o.part.closest_on_mesh(&path.locations[i].centre, cap).is_some()
+            o.part.closest_on_mesh(&path.locations[i].centre, cap).map_or(Ok(()), |_| Err(i))
         });
-        if let Some(i) = hit {
+        if let Err(i) = clear {
             let start = if i == 0 { "the tool starts in collision: " } else { "" };
             let what = format!("{start}the ball comes nearer than {} mm to", o.clearance_mm);
             return Err(too_near(o, (path, blade), i, &what, false));

@@ -69,13 +69,12 @@ mod track;
 mod tree;
 mod walls;
 
-use rayon::prelude::*;
-
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, Channel, Obstacle, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::observe::{Doubt, Observer, Warning};
+use crate::parallel;
 use crate::tool::Tool;
 
 pub use advise::{Advice, Farthest, Leans, advise, sweep_b};
@@ -127,7 +126,7 @@ impl<'a> Surroundings<'a> {
                 return bad("points that are not finite");
             }
         }
-        let trees = meshes.par_iter().map(|(_, mesh)| SphereTree::new(mesh, 0.5 * radius_mm)).collect();
+        let trees = parallel::map(&meshes, |(_, mesh)| SphereTree::new(mesh, 0.5 * radius_mm));
         Ok(Surroundings { blade, obstacles, trees, part_off_mm: blade.part.deflection_mm })
     }
 

@@ -8,12 +8,12 @@
 //! for the upper wall. The two intervals together cover all that is between the moved walls; where
 //! they do not, one frame serves both.
 
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use crate::error::{Result, Stage};
 use crate::geometry::Vector;
 use crate::observe::Observer;
+use crate::parallel;
 
 use super::arcs::{Arc, Witness, push_wrapped};
 use super::forbidden::{Free, MOVE_TOLERANCES, ObstacleScene, PlaceSearch, Start, View};
@@ -56,7 +56,7 @@ pub(super) fn lifts(
         };
         Ok(moves.iter().map(one).collect())
     };
-    let all: Vec<Vec<Option<Lift>>> = moves.par_chunks(64).map(some).collect::<Result<_>>()?;
+    let all: Vec<Vec<Option<Lift>>> = parallel::try_map(moves.chunks(64), some)?;
     let all: Vec<Option<Lift>> = all.into_iter().flatten().collect();
     Ok(match all.iter().position(Option::is_none) {
         Some(i) => Err(i),

@@ -8,14 +8,13 @@
 //! narrower than `g(a) − b`, and cutting the intervals that may still hold a narrower one than the
 //! best until none is left finds the least to any gap, with its proof.
 
-use rayon::prelude::*;
-
 use super::FreeInterval;
 use crate::artifact::{AxisTravel, Toolpath};
 use crate::error::{Result, Stage};
 use crate::geometry::Point;
 use crate::numerics::angle::within_half_turn;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// Share by which the range may be wider than the bound that is proved.
 const GAP: f64 = 0.005;
@@ -83,13 +82,10 @@ pub fn least_travel(
 fn searched(few: &[&Place], all: &[Place], most: f64, observer: &dyn Observer) -> Result<LeastTravel> {
     let upper = |low: f64| least_upper(low, most, |range| stays_behind(few, range));
     // Where the lower end may be, with the least upper end of its beginning.
-    let mut cells: Vec<([f64; 2], f64)> = (0..FIRST)
-        .into_par_iter()
-        .map(|k| {
-            let at = |k: usize| -most + 2.0 * most * k as f64 / FIRST as f64;
-            ([at(k), at(k + 1)], upper(at(k)))
-        })
-        .collect();
+    let mut cells: Vec<([f64; 2], f64)> = parallel::map(0..FIRST, |k| {
+        let at = |k: usize| -most + 2.0 * most * k as f64 / FIRST as f64;
+        ([at(k), at(k + 1)], upper(at(k)))
+    });
     let mut best = [-most, most];
     let width = |range: [f64; 2]| range[1] - range[0];
     for _ in 0..ROUNDS {
@@ -106,14 +102,11 @@ fn searched(few: &[&Place], all: &[Place], most: f64, observer: &dyn Observer) -
             cells = done;
             break;
         }
-        let halves: Vec<([f64; 2], f64)> = open
-            .into_par_iter()
-            .flat_map_iter(|([from, to], up)| {
-                let middle = 0.5 * (from + to);
-                [([from, middle], up), ([middle, to], upper(middle))]
-            })
-            .collect();
-        cells = done.into_iter().chain(halves).collect();
+        let halves = parallel::map(open, |([from, to], up)| {
+            let middle = 0.5 * (from + to);
+            [([from, middle], up), ([middle, to], upper(middle))]
+        });
+        cells = done.into_iter().chain(halves.into_iter().flatten()).collect();
     }
     let bound = cells.iter().map(|([_, end], up)| up - end).fold(width(best), f64::min).max(0.0);
     // The same lower end, for all locations; or one a little lower.

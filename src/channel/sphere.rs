@@ -26,7 +26,6 @@
 //! is, or the contact angle is out of its range. **Not looked at**: whether the machine reaches an
 //! axis, and moves between places.
 
-use rayon::prelude::*;
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
 
@@ -35,6 +34,7 @@ use crate::artifact::sphere::{CellState, FreeSphere, SphereCell};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
+use crate::parallel;
 use crate::tool::Tool;
 
 use super::arcs::Witness;
@@ -77,18 +77,14 @@ pub fn spheres(
     check_size(finest_deg)?;
     let scene = surroundings.scene(tool, options);
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let all: Vec<Vec<FreeSphere>> = path
-        .locations
-        .par_chunks(BATCH)
-        .map(|batch| {
-            observer.check(Stage::Channel)?;
-            let mut search = SphereSearch::new(&scene, finest_deg.to_radians());
-            let found = batch.iter().map(|l| search.at(&l.centre, &l.normal)).collect();
-            let so_far = done.fetch_add(batch.len(), std::sync::atomic::Ordering::Relaxed) + batch.len();
-            observer.progress(Stage::Channel, so_far, path.locations.len());
-            Ok(found)
-        })
-        .collect::<Result<_>>()?;
+    let all: Vec<Vec<FreeSphere>> = parallel::try_map(path.locations.chunks(BATCH), |batch| {
+        observer.check(Stage::Channel)?;
+        let mut search = SphereSearch::new(&scene, finest_deg.to_radians());
+        let found = batch.iter().map(|l| search.at(&l.centre, &l.normal)).collect();
+        let so_far = done.fetch_add(batch.len(), std::sync::atomic::Ordering::Relaxed) + batch.len();
+        observer.progress(Stage::Channel, so_far, path.locations.len());
+        Ok(found)
+    })?;
     Ok(all.into_iter().flatten().collect())
 }
 

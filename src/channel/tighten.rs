@@ -27,14 +27,13 @@
 //! [`FARTHEST`]; an end whose proof takes more than [`MOST_CUTS`] halvings is tried half way and
 //! else stays where it was (at most 12 of 63,000 on `steam_root`).
 
-use rayon::prelude::*;
-
 use crate::artifact::{Cone, Toolpath};
 use crate::error::{Result, Stage};
 use crate::geometry::exact::pieces::{SeenPiece, Visitor, Walker};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
+use crate::parallel;
 
 use super::arcs::{Arc, Witness, push_arcs};
 use super::bound::{self, FreeSweep};
@@ -97,22 +96,20 @@ impl ExactEnds<'_> {
         let others = ObstacleScene { bodies: scene.bodies.iter().skip(1).cloned().collect(), options: scene.options };
         let limits = track::free_everywhere(&others, samples, observer)?;
         let Some(body) = scene.bodies.first() else { return Ok(()) };
-        let places = layers.par_chunks_mut(BATCH).zip(samples.par_chunks(BATCH)).zip(limits.par_chunks(BATCH));
-        let all: Vec<Result<()>> = places
-            .map(|((layers, samples), limits)| {
-                observer.check(Stage::Channel)?;
-                let (mut seeds, mut walker) = (Vec::new(), Walker::new(faces, brep));
-                for ((layer, sample), limits) in layers.iter_mut().zip(samples).zip(limits) {
-                    // Under an allowance of stock contacts are no points of the part.
-                    let location = path.locations.get(sample.row);
-                    let touches = location.filter(|_| sample.fraction == 0.0 && path.stock_mm == 0.0);
-                    let place = EndsAt { body, sample, contact: touches.map(|l| l.contact), limits };
-                    self.place(&place, layer, &mut walker, &mut seeds);
-                }
-                Ok(())
-            })
-            .collect();
-        all.into_iter().collect()
+        let places = layers.chunks_mut(BATCH).zip(samples.chunks(BATCH)).zip(limits.chunks(BATCH));
+        parallel::try_map(places, |((layers, samples), limits)| {
+            observer.check(Stage::Channel)?;
+            let (mut seeds, mut walker) = (Vec::new(), Walker::new(faces, brep));
+            for ((layer, sample), limits) in layers.iter_mut().zip(samples).zip(limits) {
+                // Under an allowance of stock contacts are no points of the part.
+                let location = path.locations.get(sample.row);
+                let touches = location.filter(|_| sample.fraction == 0.0 && path.stock_mm == 0.0);
+                let place = EndsAt { body, sample, contact: touches.map(|l| l.contact), limits };
+                self.place(&place, layer, &mut walker, &mut seeds);
+            }
+            Ok(())
+        })?;
+        Ok(())
     }
 
     /// All ends at one place.

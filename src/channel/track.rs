@@ -19,12 +19,12 @@
 //! gap without one is a new free interval, and then all is looked at anew. Points found in leaves
 //! that are not clear move the ends inwards, each by its closed form.
 
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::error::{Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
+use crate::parallel;
 
 use super::arcs::{Arc, Witness};
 use super::bound::{self, Between, Facet, Flat, FreeSweep, Room};
@@ -66,17 +66,15 @@ pub(super) fn free_everywhere(
     observer: &dyn Observer,
 ) -> Result<Vec<Vec<Free>>> {
     let done = AtomicUsize::new(0);
-    let batches: Vec<Vec<Vec<Free>>> = samples
-        .par_chunks((samples.len() / BATCHES).clamp(BATCH[0], BATCH[1]))
-        .map(|batch| {
-            observer.check(Stage::Channel)?;
-            let mut tracker = Tracker::new(scene);
-            let free = batch.iter().map(|s| tracker.next(s)).collect();
-            let so_far = done.fetch_add(batch.len(), Ordering::Relaxed) + batch.len();
-            observer.progress(Stage::Channel, so_far, samples.len());
-            Ok(free)
-        })
-        .collect::<Result<_>>()?;
+    let batches = samples.chunks((samples.len() / BATCHES).clamp(BATCH[0], BATCH[1]));
+    let batches: Vec<Vec<Vec<Free>>> = parallel::try_map(batches, |batch| {
+        observer.check(Stage::Channel)?;
+        let mut tracker = Tracker::new(scene);
+        let free = batch.iter().map(|s| tracker.next(s)).collect();
+        let so_far = done.fetch_add(batch.len(), Ordering::Relaxed) + batch.len();
+        observer.progress(Stage::Channel, so_far, samples.len());
+        Ok(free)
+    })?;
     Ok(batches.into_iter().flatten().collect())
 }
 

@@ -3,6 +3,7 @@
 use crate::geometry::mesh::Mesh;
 use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 
 /// A node: the sphere and the box around all its triangles, about the same centre; its first child
 /// follows it in the list.
@@ -170,7 +171,7 @@ impl Builder<'_> {
         let (left, right) = order.split_at_mut(middle);
         let (lefts, rights) = below.split_at_mut(2 * middle - 1);
         if large {
-            rayon::join(|| self.build(left, lefts, here + 1), || self.build(right, rights, second));
+            parallel::both(|| self.build(left, lefts, here + 1), || self.build(right, rights, second));
         } else {
             self.build(left, lefts, here + 1);
             self.build(right, rights, second);

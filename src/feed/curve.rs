@@ -7,14 +7,13 @@
 //! third derivative, `h` being the interval. A straight move beside the curve takes up its first
 //! and second derivatives where they meet, so that acceleration is continuous there too.
 
-use rayon::prelude::*;
-
 use super::PER_THREAD;
 use crate::artifact::programmed::Polynomial;
 use crate::artifact::{AxisRows, ProgrammedCurve, Schedule, Toolpath};
 use crate::machine::Machine;
 use crate::numerics::series::{Series, TERMS};
 use crate::numerics::spline::CubicSpline;
+use crate::parallel;
 
 /// The axes over the parameter `s`, interval by interval.
 pub(super) struct AxisCurve {
@@ -48,8 +47,7 @@ impl AxisCurve {
     pub fn on(spline: CubicSpline, rows: AxisRows, programmed: &Programmed) -> Option<Self> {
         let (n, axes) = (spline.intervals(), spline.functions());
         let bent = |i: usize| programmed.polynomial(i).map(|p| programmed.axes(&p, i, &rows));
-        let bent: Vec<Option<Option<Vec<[f64; TERMS]>>>> =
-            (0..n).into_par_iter().with_min_len(PER_THREAD / 8).map(bent).collect();
+        let bent: Vec<Option<Option<Vec<[f64; TERMS]>>>> = parallel::map_short(PER_THREAD / 8, 0..n, bent);
         let mut out = AxisCurve { spline, first: vec![None; n], quintics: Vec::new(), rows };
         for (i, found) in bent.into_iter().enumerate() {
             if let Some(found) = found {
@@ -156,7 +154,7 @@ impl Programmed<'_> {
             Some(p) => p.greatest(1)[0],
             None => (l[i + 1].centre - l[i].centre).norm() / (self.curve.rows[i + 1].s_mm - self.curve.rows[i].s_mm),
         };
-        (0..l.len().saturating_sub(1)).into_par_iter().with_min_len(PER_THREAD).map(of).collect()
+        parallel::map_short(PER_THREAD, 0..l.len().saturating_sub(1), of)
     }
 
     /// Coefficients of all axes in interval `i`.

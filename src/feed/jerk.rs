@@ -30,12 +30,11 @@
 //! From and to rest jerk along the path is constant over the outermost cells, `x = 3/2 h u` at
 //! their inner ends, with the solver's choice of `u` there.
 
-use rayon::prelude::*;
-
 use super::PER_THREAD;
 use super::caps::Caps;
 use super::curve::AxisCurve;
 use crate::observe::Observer;
+use crate::parallel;
 
 mod bound;
 mod cells;
@@ -148,7 +147,7 @@ fn slow_down(out: &mut Smooth, inner: &[Cell], limits: &Limits, units: Units) {
         let v = [out.x[k] / units.speed.powi(2), out.u[k] / acceleration, out.w[k] * units.length / acceleration];
         c.excess(&v, limits)
     };
-    let over = inner.par_iter().enumerate().with_min_len(PER_THREAD).map(of).reduce(|| 1.0, f64::max);
+    let over = parallel::map_short(PER_THREAD, inner.iter().enumerate(), of).into_iter().fold(1.0, f64::max);
     if over > 1.0 {
         let (slower, last) = (over.sqrt(), out.w.len() - 1);
         out.gap = 1.0 - (1.0 - out.gap) / slower;

@@ -60,13 +60,12 @@ mod peaks;
 mod settings;
 mod topp;
 
-use rayon::prelude::*;
-
 use crate::artifact::toolpath::CHORD_MM;
 use crate::artifact::{Axes, AxisMotion, AxisRows, Cone, ProgrammedCurve, Schedule, Toolpath, motion};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
 use crate::observe::{Doubt, Observer, Warning};
+use crate::parallel;
 use crate::settings::with_settings;
 
 use caps::Caps;
@@ -348,8 +347,9 @@ fn motion_within_acceleration(curve: &AxisCurve, profile: &topp::Profile) -> Axi
     let axes = curve.functions();
     let of_rows = |value: &(dyn Fn(usize, usize) -> f64 + Sync)| {
         let mut values = vec![0.0; n * axes];
-        let rows = values.par_chunks_mut(axes).enumerate().with_min_len(PER_THREAD);
-        rows.for_each(|(i, row)| row.iter_mut().enumerate().for_each(|(k, v)| *v = value(i, k)));
+        parallel::map_short(PER_THREAD, values.chunks_mut(axes).enumerate(), |(i, row)| {
+            row.iter_mut().enumerate().for_each(|(k, v)| *v = value(i, k));
+        });
         AxisRows::from_values(axes, values)
     };
     // Of the interval after each location, of the last before it.

@@ -5,12 +5,11 @@
 //! allowed and the set of `x` from which the end can be reached is an interval that begins at 0;
 //! only its greatest value is needed.
 
-use rayon::prelude::*;
-
 use super::caps::{Caps, of_velocity};
 use super::curve::{AxisCurve, bernstein};
 use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
+use crate::parallel;
 
 /// Below this a coefficient of `u` is taken as 0: with limits scaled to 1 it moves the limit by
 /// less than rounding.
@@ -169,8 +168,9 @@ pub(super) fn fastest(curve: &AxisCurve, limits: &[[f64; 2]], most: &Caps, obser
     let of_axis = if curve.is_bent() { OF_BENT_AXIS } else { OF_AXIS };
     let of_interval = (of_axis * limits.len()).max(1);
     let mut rows = vec![Strip::WITHOUT_END; (n - 1) * of_interval];
-    let rows = rows.par_chunks_mut(of_interval).enumerate().with_min_len(super::PER_THREAD);
-    let strips: Vec<Strips> = rows.map(|(i, rows)| Strips::new(curve, i, limits, most, rows)).collect();
+    let rows = rows.chunks_mut(of_interval).enumerate();
+    let strips = |(i, rows)| Strips::new(curve, i, limits, most, rows);
+    let strips: Vec<Strips> = parallel::map_short(super::PER_THREAD, rows, strips);
     observer.check(Stage::Feed)?;
     // Backwards: the greatest x from which the end can be reached at rest.
     let mut reach = vec![0.0; n];

@@ -3,8 +3,6 @@
 
 use std::sync::OnceLock;
 
-use rayon::prelude::*;
-
 use super::brep::Brep;
 use super::bvh::MeshBvh;
 use super::exact::Exact;
@@ -18,6 +16,7 @@ use super::triangle::angle_at;
 use super::{Point, Vector};
 use crate::error::Result;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// The whole part in one frame.
 #[derive(Clone)]
@@ -135,7 +134,7 @@ impl Part {
     #[must_use]
     pub fn with_published(mut self, published: Part, of: Vec<Option<u32>>) -> Self {
         let off = |p: &Point| self.own_closest(p, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
-        let off_mm = published.places().par_iter().map(off).reduce(|| 0.0, f64::max);
+        let off_mm = parallel::map(&published.places(), off).into_iter().fold(0.0, f64::max);
         self.deflection_mm += off_mm;
         self.sharper = OnceLock::new();
         self.published = Some(Box::new(Published { part: published, of, off_mm }));
@@ -423,7 +422,7 @@ mod tests {
             for _ in 0..20 {
                 let part = Part::from_brep(brep.clone(), 0.2, &Silent).unwrap();
                 let size = |_: usize| part.sharper().map_or(0, |p| p.mesh.triangles.len());
-                let sizes: Vec<usize> = (0..64).into_par_iter().map(size).collect();
+                let sizes: Vec<usize> = parallel::map(0..64, size);
                 told.send(sizes).unwrap();
             }
         });

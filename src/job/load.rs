@@ -5,22 +5,18 @@ use std::path::Path;
 use super::sections::ModelKeys;
 use super::typed::JobFile;
 use crate::error::{Error, Result, Stage};
-use crate::settings::in_words;
+use crate::settings::{from_toml, from_value, to_value};
 
 /// Parses the text of a job file; `name` is used in messages.
 ///
 /// # Errors
 /// `Usage` with name, line and what is allowed.
 pub fn parse(text: &str, name: &str) -> Result<JobFile> {
-    toml::from_str(text).map_err(|e| {
-        let line = e.span().map(|span| {
-            let before = text.get(..span.start).unwrap_or(text);
-            before.matches('\n').count() + 1
-        });
-        let place = line.map(|l| format!("{name}, line {l}")).unwrap_or_else(|| name.to_string());
-        let shown = line.and_then(|l| text.lines().nth(l - 1)).map(str::trim).filter(|l| !l.is_empty());
+    from_toml(text).map_err(|e| {
+        let place = e.line.map(|l| format!("{name}, line {l}")).unwrap_or_else(|| name.to_string());
+        let shown = e.line.and_then(|l| text.lines().nth(l - 1)).map(str::trim).filter(|l| !l.is_empty());
         let shown = shown.map(|l| format!(" at `{l}`")).unwrap_or_default();
-        Error::usage(Stage::Job, format!("{place}{shown}: {}", in_words(&e)))
+        Error::usage(Stage::Job, format!("{place}{shown}: {}", e.words))
             .advise("models/job.schema.json lists every key; job.resolved.toml of any run is a complete example")
     })
 }
@@ -59,9 +55,9 @@ impl JobFile {
     /// # Errors
     /// What is wrong, in words, without the key; the job is then unchanged.
     pub fn set_value(&mut self, keys: &[&str], value: toml::Value) -> std::result::Result<(), String> {
-        let mut root = toml::Value::try_from(&*self).map_err(|e| e.to_string())?;
+        let mut root = to_value(self)?;
         insert(&mut root, keys, value)?;
-        *self = root.try_into().map_err(|e: toml::de::Error| in_words(&e))?;
+        *self = from_value(&root)?;
         Ok(())
     }
 }

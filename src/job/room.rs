@@ -4,11 +4,10 @@
 //! large one. A ball is laid on a place along the normal there: it has room where its centre is no
 //! nearer than its radius to the whole part.
 
-use rayon::prelude::*;
-
 use crate::artifact::Blade;
 use crate::geometry::slice::{Loop, slice};
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 
 /// Places on the wall, and on the fillet, about.
 const PLACES: usize = 1500;
@@ -138,7 +137,7 @@ fn share(blade: &Blade, on: &Surface, [radius_mm, spare]: [f64; 2], sound: &[boo
         let close = counts.then(|| blade.part.closest_on_mesh(&centre, r)).flatten();
         close.map(|c| c.distance_mm).filter(|d| *d <= FACETS * r).unwrap_or(f64::INFINITY)
     };
-    let near: Vec<f64> = places.par_iter().zip(&counts).map(near).collect();
+    let near: Vec<f64> = parallel::map(places.iter().zip(&counts), near);
     let tried = counts.iter().filter(|c| **c).count();
     let blocked = near.iter().filter(|d| d.is_finite()).count();
     let tightest = (0..near.len()).min_by(|a, b| near[*a].total_cmp(&near[*b])).filter(|k| near[*k].is_finite());

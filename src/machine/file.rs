@@ -8,7 +8,7 @@ use super::chain::Head;
 use super::config::{DEMO_TOML, LinearAxis, MachineFile, PositiveA, PositiveB, RotaryAxis, Spindle, Words, brought};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
-use crate::settings::in_words;
+use crate::settings::from_toml;
 
 /// Positions of an axis that the machine has not are 0 but for rounding, mm.
 const MISSING_MM: f64 = 1e-6;
@@ -38,12 +38,9 @@ impl MachineFile {
     /// # Errors
     /// Kind `Usage`: not TOML, an unknown or missing key.
     pub fn from_toml(text: &str, origin: &str) -> Result<Self> {
-        toml::from_str(text).map_err(|e| {
-            let place = e.span().map(|s| {
-                let before = text.get(..s.start).unwrap_or(text);
-                format!(" line {}", before.matches('\n').count() + 1)
-            });
-            Error::usage(Stage::Machine, format!("{origin}{}: {}", place.unwrap_or_default(), in_words(&e)))
+        from_toml(text).map_err(|e| {
+            let place = e.line.map(|n| format!(" line {n}")).unwrap_or_default();
+            Error::usage(Stage::Machine, format!("{origin}{place}: {}", e.words))
                 .advise("models/machines/demo_table_head.toml shows every key with its unit")
         })
     }

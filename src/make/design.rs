@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result, Stage};
 use crate::numerics::spline::{CubicSpline, SplineEnds};
-use crate::settings::in_words;
+use crate::settings::from_toml;
 
 /// A blade: exactly one of `airfoil` and `prism`, on a platform with a root. The blade stands along
 /// +z:
@@ -206,8 +206,8 @@ impl LawCurve {
 impl BladeDesign {
     /// Reads a design file; unknown keys and impossible values are errors that name the key.
     pub fn from_toml(text: &str) -> Result<Self> {
-        let design: BladeDesign = toml::from_str(text).map_err(|e| {
-            Error::usage(Stage::Make, format!("the design file is not understood: {}", in_words(&e)))
+        let design: BladeDesign = from_toml(text).map_err(|e| {
+            Error::usage(Stage::Make, format!("the design file is not understood: {}", e.words))
                 .advise("compare with the design files in models/")
                 .caused_by(e)
         })?;

@@ -27,9 +27,8 @@
 //! without bound (Farkas' lemma), the others do not. The same bytes on any number of threads: sums
 //! are taken in a fixed order.
 
-use rayon::prelude::*;
-
 use super::quintic::{Map, ORDER};
+use crate::parallel;
 
 /// Spans of a unit of parallel work; fixed, so that sums are taken in the same order.
 const CHUNK: usize = 128;
@@ -296,7 +295,7 @@ impl<'a, const D: usize, const W: usize> Work<'a, D, W> {
             let limits = spans.iter().flat_map(ends).map(|(lo, hi)| Limit::new(lo, hi)).collect();
             Chunk { first: c * CHUNK, spans, limits }
         };
-        let chunks: Vec<_> = spans.par_chunks(CHUNK).enumerate().map(of).collect();
+        let chunks: Vec<_> = parallel::map(spans.chunks(CHUNK).enumerate(), of);
         let count = chunks.iter().map(|c| c.limits.len()).sum::<usize>().max(1) as f64;
         let unit = if at_zero > 0.0 { count / at_zero } else { 1.0 };
         let controls = (spans.len() + ORDER - 1) * D;
@@ -380,7 +379,7 @@ impl<'a, const D: usize, const W: usize> Work<'a, D, W> {
             }
             out
         };
-        let each: Vec<Vec<f64>> = self.chunks.par_iter().map(of).collect();
+        let each: Vec<Vec<f64>> = parallel::map(&self.chunks, of);
         let mut out = self.product(x);
         out.iter_mut().zip(&self.gradient).for_each(|(o, g)| *o += g);
         for (chunk, local) in self.chunks.iter().zip(&each) {
@@ -428,7 +427,7 @@ impl<'a, const D: usize, const W: usize> Work<'a, D, W> {
             }
             out
         };
-        let each: Vec<Vec<[f64; W]>> = self.chunks.par_iter().map(of).collect();
+        let each: Vec<Vec<[f64; W]>> = parallel::map(&self.chunks, of);
         let mut band = self.hessian.clone();
         for (chunk, local) in self.chunks.iter().zip(&each) {
             let own = band[chunk.first * D..].iter_mut().zip(local);
@@ -482,7 +481,7 @@ impl<'a, const D: usize, const W: usize> Work<'a, D, W> {
             }
             ahead
         };
-        let each: Vec<Ahead> = self.chunks.par_iter_mut().map(of).collect();
+        let each: Vec<Ahead> = parallel::map(&mut self.chunks, of);
         let all = each.into_iter().fold(Ahead::default(), |a, b| Ahead {
             most: a.most.max(b.most),
             products: std::array::from_fn(|k| a.products[k] + b.products[k]),
@@ -518,7 +517,7 @@ impl<'a, const D: usize, const W: usize> Work<'a, D, W> {
             }
             out
         };
-        let each: Vec<State> = self.chunks.par_iter_mut().map(of).collect();
+        let each: Vec<State> = parallel::map(&mut self.chunks, of);
         each.into_iter().fold(State::default(), |a, b| State {
             products: a.products + b.products,
             gap: a.gap + b.gap,

@@ -3,9 +3,8 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::FreeAngles;
+use crate::parallel;
 
 /// Angles that are looked at lie so far apart, rad.
 const STEP_RAD: f64 = PI / 180.0;
@@ -49,18 +48,14 @@ pub fn hold(
     options: HoldOptions,
     clear: impl Fn(&Range<usize>, f64) -> bool + Sync,
 ) -> Result<Vec<Held>, usize> {
-    let stretches: Vec<(usize, Stretch)> = rows
-        .par_iter()
-        .enumerate()
-        .map(|(row, places)| {
-            let mut out = Vec::new();
-            for (part, free) in stretches(places, common)? {
-                split(part, &free, common, options, &clear, &mut out)?;
-            }
-            Ok(out.into_iter().map(|s| (row, s)).collect::<Vec<_>>())
-        })
-        .collect::<Result<Vec<_>, usize>>()?
-        .concat();
+    let stretches = parallel::try_map(rows.iter().enumerate(), |(row, places)| {
+        let mut out = Vec::new();
+        for (part, free) in stretches(places, common)? {
+            split(part, &free, common, options, &clear, &mut out)?;
+        }
+        Ok::<_, usize>(out.into_iter().map(|s| (row, s)).collect::<Vec<_>>())
+    })?
+    .concat();
     Ok(chosen(stretches))
 }
 

@@ -1,7 +1,5 @@
 //! How much of a blade's airfoil has an opposite side.
 
-use rayon::prelude::*;
-
 use crate::artifact::region::{Area, of_faces};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
@@ -9,6 +7,7 @@ use crate::geometry::mesh::{spread, topology};
 use crate::geometry::opposite::{Pair, Place, partner};
 use crate::geometry::part::Part;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// Places on the airfoil.
 const PLACES: usize = 8000;
@@ -69,7 +68,7 @@ pub fn share(part: &Part, areas: &[Area], chord_mm: f64, observer: &dyn Observer
     let mut found = Vec::with_capacity(places.len());
     for chunk in places.chunks(AT_ONCE) {
         observer.check(Stage::Model)?;
-        found.par_extend(chunk.par_iter().map(|(p, triangle)| one(part, p, *triangle, within_mm)));
+        found.extend(parallel::map(chunk, |(p, triangle)| one(part, p, *triangle, within_mm)));
         observer.progress(Stage::Model, found.len(), places.len());
     }
     let pairs: Vec<&Pair> = found.iter().flatten().collect();

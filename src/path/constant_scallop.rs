@@ -39,8 +39,6 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use rayon::prelude::*;
-
 use super::bounds::{Bounds, Stop};
 use super::curve::{self, LevelCurve};
 use super::front::{Across, Fineness, Front, Laid, Node, PATIENCE, Rest};
@@ -54,6 +52,7 @@ use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, Stopped};
 use crate::geometry::Point;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// The scallop of the turns that only look for the end, over that of the path.
 const COARSER: f64 = 4.0;
@@ -366,22 +365,19 @@ fn finish(
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let filled: Vec<Vec<Touch>> = (0..turns.len())
-        .into_par_iter()
-        .map(|k| {
-            observer.check(Stage::Path)?;
-            let touches = &turns[k];
-            let before = k.checked_sub(1).and_then(|b| turns[b].iter().rev().nth(1)).map(|t| &t.centre);
-            // The last turn is closed, if the end was found.
-            let on = turns.get(k + 1).or_else(|| is_closed(touches).then_some(touches));
-            let after = on.and_then(|t| t.get(1)).map(|t| &t.centre);
-            let curve = LevelCurve { level, touches, tangents: curve::tangents(before, touches, after) };
-            let filled = chords::fill(level, |u| curve.at(u), &curve.places(options), options)?;
-            let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
-            observer.progress(Stage::Path, 1000 + 1000 * n / turns.len(), 2000);
-            Ok(filled)
-        })
-        .collect::<Result<_>>()?;
+    let filled: Vec<Vec<Touch>> = parallel::try_map(0..turns.len(), |k| {
+        observer.check(Stage::Path)?;
+        let touches = &turns[k];
+        let before = k.checked_sub(1).and_then(|b| turns[b].iter().rev().nth(1)).map(|t| &t.centre);
+        // The last turn is closed, if the end was found.
+        let on = turns.get(k + 1).or_else(|| is_closed(touches).then_some(touches));
+        let after = on.and_then(|t| t.get(1)).map(|t| &t.centre);
+        let curve = LevelCurve { level, touches, tangents: curve::tangents(before, touches, after) };
+        let filled = chords::fill(level, |u| curve.at(u), &curve.places(options), options)?;
+        let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+        observer.progress(Stage::Path, 1000 + 1000 * n / turns.len(), 2000);
+        Ok(filled)
+    })?;
     let heights = |turn: Option<&Vec<Touch>>| -> Vec<f64> {
         turn.into_iter().flatten().map(|t| level.along.height_mm(&t.centre)).collect()
     };

@@ -1,7 +1,5 @@
 //! The helix through the rings: locations by chord tolerance, each on the level set.
 
-use rayon::prelude::*;
-
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
@@ -14,6 +12,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::triangle::closest_on_segment;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// One turn, from ring `a` to ring `b`.
 struct Blend<'a> {
@@ -70,16 +69,13 @@ pub fn blend(
     let rings = &stack.rings;
     let done = std::sync::atomic::AtomicUsize::new(0);
     let pairs = rings.len() - 1;
-    let turns: Vec<Vec<Touch>> = (0..pairs)
-        .into_par_iter()
-        .map(|k| {
-            observer.check(Stage::Path)?;
-            let touches = Blend { level, a: &rings[k], b: &rings[k + 1], options }.touches()?;
-            let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
-            observer.progress(Stage::Path, 1000 + 1000 * n / pairs, 2000);
-            Ok(touches)
-        })
-        .collect::<Result<_>>()?;
+    let turns: Vec<Vec<Touch>> = parallel::try_map(0..pairs, |k| {
+        observer.check(Stage::Path)?;
+        let touches = Blend { level, a: &rings[k], b: &rings[k + 1], options }.touches()?;
+        let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+        observer.progress(Stage::Path, 1000 + 1000 * n / pairs, 2000);
+        Ok(touches)
+    })?;
     let end = Blend { level, a: &rings[pairs - 1], b: &rings[pairs], options }.at(1.0)?;
     let region_x_mm = [rings[0].x_mm, rings[pairs].x_mm];
     let (path, ridges) = assemble(level, options, &turns, end, region_x_mm, stack.end_reason.clone());
@@ -152,21 +148,18 @@ pub(super) fn number(turns: &[Vec<Touch>], end: Touch) -> (Vec<Turn>, Vec<Cutter
 
 /// The scallop between each turn and the next, measured at each location, mm.
 fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
-    (1..turns.len())
-        .into_par_iter()
-        .map(|k| {
-            let (upper, lower) = (&turns[k - 1], &turns[k]);
-            let s_mm = curve::arc_lengths(lower.iter().map(|t| &t.centre));
-            let mut at = 0usize;
-            let ridge = |t: &Touch| {
-                let near = nearest_between_ends(lower, &s_mm, &t.centre, &mut at)?;
-                // Off the chord and onto the level set, as for the rings.
-                let on_level = level.touch(&near, 0.1 * level.radius_mm)?;
-                ridge_height(level, &t.centre, &on_level.centre)
-            };
-            upper.iter().filter_map(ridge).collect()
-        })
-        .collect()
+    parallel::map(1..turns.len(), |k| {
+        let (upper, lower) = (&turns[k - 1], &turns[k]);
+        let s_mm = curve::arc_lengths(lower.iter().map(|t| &t.centre));
+        let mut at = 0usize;
+        let ridge = |t: &Touch| {
+            let near = nearest_between_ends(lower, &s_mm, &t.centre, &mut at)?;
+            // Off the chord and onto the level set, as for the rings.
+            let on_level = level.touch(&near, 0.1 * level.radius_mm)?;
+            ridge_height(level, &t.centre, &on_level.centre)
+        };
+        upper.iter().filter_map(ridge).collect()
+    })
 }
 
 /// The nearest point of an open polyline of centres with these arc lengths; `at` is the segment of

@@ -7,8 +7,6 @@
 //! is the least whose worst ridge is within the scallop, found by laying them, since a ridge falls
 //! as the square of the number.
 
-use rayon::prelude::*;
-
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
@@ -18,6 +16,7 @@ use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// How often the number of turns is tried.
 const MOST_TRIES: usize = 8;
@@ -94,13 +93,10 @@ pub(super) fn plan(
     for _ in 0..MOST_TRIES {
         let steps = (perimeter / options.settings.max_step_mm).ceil().max(8.0) as usize;
         let places: Vec<f64> = (0..=steps).map(|i| i as f64 / steps as f64).collect();
-        let turns: Vec<Vec<Touch>> = (0..n)
-            .into_par_iter()
-            .map(|k| {
-                observer.check(Stage::Path)?;
-                chords::fill(level, |u| meridians.touch(k, n, u), &places, options)
-            })
-            .collect::<Result<_>>()?;
+        let turns: Vec<Vec<Touch>> = parallel::try_map(0..n, |k| {
+            observer.check(Stage::Path)?;
+            chords::fill(level, |u| meridians.touch(k, n, u), &places, options)
+        })?;
         let end = meridians.touch(n - 1, n, 1.0)?;
         let (path, _) = helix::assemble(level, options, &turns, end, ends, stack.end_reason.clone());
         let ridge = path.planned_scallop_mm;

@@ -1,8 +1,6 @@
 //! The stack of rings that guides the helix: from the start height down, each pitch as large as the
 //! scallop allows.
 
-use rayon::prelude::*;
-
 use super::bounds::lowest_mm;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
@@ -14,6 +12,7 @@ use crate::artifact::toolpath::EndReason;
 use crate::error::{Error, Infeasible, Result, Spot, Stage, Stopped};
 use crate::geometry::Point;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// A concave stretch counts when the normal turns back by this much, rad: well over what facets and
 /// slivers do.
@@ -293,15 +292,11 @@ fn ring_below(level: &LevelSet, last: &Ring, x: f64, how: &Tracing) -> std::resu
 
 /// The scallop between two rings, mm.
 fn worst_ridge(level: &LevelSet, a: &Ring, b: &Ring) -> f64 {
-    let heights = a
-        .touches
-        .par_iter()
-        .filter_map(|t| {
-            // The chord between two touches of the ring lies off the level set, which would tilt a
-            // close pair of balls.
-            let near = level.touch_in_plane(&b.nearest(&t.centre), 0.1 * level.radius_mm)?;
-            ridge_height(level, &t.centre, &near.centre)
-        })
-        .collect();
+    let heights = parallel::filter_map(&a.touches, |t| {
+        // The chord between two touches of the ring lies off the level set, which would tilt a
+        // close pair of balls.
+        let near = level.touch_in_plane(&b.nearest(&t.centre), 0.1 * level.radius_mm)?;
+        ridge_height(level, &t.centre, &near.centre)
+    });
     decisive_mm(level, heights)
 }

@@ -3,8 +3,6 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use rayon::prelude::*;
-
 use super::Setup;
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{Channel, Cone, Cones, Toolpath, Wheel};
@@ -13,6 +11,7 @@ use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, turn_number};
 use crate::geometry::{Point, Vector};
 use crate::observe::{Observer, Silent};
 use crate::orient::{self, Grid, OrientationKind};
+use crate::parallel;
 use crate::schedule::{self, ScheduleOptions};
 
 /// Stations of the search: the ball centre and the normal go no farther from one to the next.
@@ -130,7 +129,7 @@ fn free_cells(
         observer.progress(Stage::Channel, done.fetch_add(1, Ordering::Relaxed) + 1, grid.latitudes.len());
         Ok(found)
     };
-    for found in grid.latitudes.par_iter().map(circle).collect::<Result<Vec<_>>>()? {
+    for found in parallel::try_map(&grid.latitudes, circle)? {
         for (station, free) in by_station.iter_mut().zip(found) {
             station.push(free.iter().map(|f| [f.theta_min, f.theta_max]).collect());
         }

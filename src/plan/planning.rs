@@ -9,6 +9,7 @@ use crate::channel;
 use crate::error::{ErrorKind, Result, Stage};
 use crate::lead;
 use crate::observe::{Doubt, Observer, Silent, Warning, timed};
+use crate::parallel;
 use crate::path;
 use crate::schedule;
 use crate::verify;
@@ -103,7 +104,7 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         let others = lead::for_schedule(&chosen, &toolpath, &fixed);
         let on = curve.as_ref();
         let own = || motion.map_or_else(|| leads::motion(setup, &toolpath, &schedule, on, chosen, observer), Ok);
-        let (own, baseline) = rayon::join(own, || leads::motion(setup, &toolpath, &fixed, None, others, &Silent));
+        let (own, baseline) = parallel::both(own, || leads::motion(setup, &toolpath, &fixed, None, others, &Silent));
         let ((motion, leads), (fixed_motion, _)) = (own?, baseline?);
         Ok((motion, leads, fixed_motion))
     })?;

@@ -1,7 +1,5 @@
 //! Schedules that need the feed to be judged.
 
-use rayon::prelude::*;
-
 use super::{Setup, leads};
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{AxisMotion, Channel, Lead, Schedule, Toolpath};
@@ -9,6 +7,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::feed::{self, FeedOptions};
 use crate::machine::Machine;
 use crate::observe::{Observer, Recorder, Silent, Warning};
+use crate::parallel;
 use crate::schedule::{self, Pace, ScheduleOptions};
 
 /// Lengths over which the rotary axis stands still at either end, as shares of what the ball needs
@@ -63,15 +62,13 @@ pub(crate) fn least_time(
         Err(e) if e.kind == ErrorKind::Infeasible => closed = Some(e),
         Err(e) => return Err(e),
     }
-    let (standing, rivals) = rayon::join(
-        || STANDING.par_iter().filter_map(|s| paced(*s).ok()).collect::<Vec<_>>(),
-        || rivals(path, channel, &options),
-    );
+    let (standing, rivals) =
+        parallel::both(|| parallel::filter_map(&STANDING, |s| paced(*s).ok()), || rivals(path, channel, &options));
     let others: Vec<Schedule> = standing.into_iter().chain(rivals).collect();
-    open.extend(others.into_par_iter().map(rough).collect::<Result<Vec<_>>>()?);
+    open.extend(parallel::try_map(others, rough)?);
     open.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
     open.truncate(CLOSELY);
-    made.extend(open.into_par_iter().map(moved).collect::<Result<Vec<_>>>()?);
+    made.extend(parallel::try_map(open, moved)?);
     // Of equals the first.
     match made.into_iter().min_by(|a, b| a.motion.time_s.total_cmp(&b.motion.time_s)) {
         Some(best) => Ok(best.told(observer)),
@@ -130,7 +127,7 @@ pub(crate) fn paced(
 ) -> Result<Vec<Schedule>> {
     let plan = |standing: f64| paced_standing(machine, feed, path, channel, options, standing);
     let (first, others): (Result<Schedule>, Vec<Schedule>) =
-        rayon::join(|| plan(0.0), || STANDING.par_iter().filter_map(|s| plan(*s).ok()).collect());
+        parallel::both(|| plan(0.0), || parallel::filter_map(&STANDING, |s| plan(*s).ok()));
     match first {
         Err(e) if e.kind != ErrorKind::Infeasible || others.is_empty() => Err(e),
         first => Ok(first.into_iter().chain(others).collect()),
@@ -169,11 +166,9 @@ pub(crate) fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptio
         (ScheduleKind::Quaternion, *options),
         (ScheduleKind::Fixed, *options),
     ];
-    kinds
-        .par_iter()
-        .filter_map(|(kind, options)| schedule::plan(*kind, path, channel, options, &Silent).ok())
-        .filter(|s| machinable(s, channel))
-        .collect()
+    parallel::filter_map(&kinds, |(kind, options)| {
+        schedule::plan(*kind, path, channel, options, &Silent).ok().filter(|s| machinable(s, channel))
+    })
 }
 
 /// Stays in the channel, and never turns back where it is not to.

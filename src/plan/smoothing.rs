@@ -10,8 +10,6 @@
 //! again nearer to the path there; in the end those pieces are given up and the path's own
 //! locations come back.
 
-use rayon::prelude::*;
-
 use super::{Setup, leads, planning};
 use crate::artifact::curve::{Curve, CurveProof, CurveStretch, LeftAsIs, WhyLeft};
 use crate::artifact::programmed::{BeforeCurve, CurveRow, Polynomial, Way};
@@ -23,6 +21,7 @@ use crate::feed;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::{Doubt, Observer, Silent, Warning, timed};
+use crate::parallel;
 use crate::smooth::{self, Objective, Share, SmoothOptions};
 use crate::verify;
 
@@ -311,8 +310,8 @@ impl Laid<'_> {
         let old = self.before.path;
         let part = Allowed::new(&self.setup.blade.part, old.stock_mm);
         let row = |p: &Place| self.row(p, &part);
-        let rows: Vec<(CutterLocation, f64, CurveRow)> =
-            places.par_iter().with_min_len(256).map(row).collect::<Option<_>>()?;
+        let rows = parallel::map_short(256, &places, row);
+        let rows: Vec<(CutterLocation, f64, CurveRow)> = rows.into_iter().collect::<Option<_>>()?;
         let starts: Vec<f64> = old.turns.iter().map(|t| old.locations[t.first].s_mm).collect();
         let mut locations = Vec::with_capacity(rows.len());
         let (mut s_mm, mut before): (f64, Option<Point>) = (0.0, None);
@@ -542,8 +541,7 @@ fn along(path: &Toolpath, before: &Schedule, theta: Vec<f64>, curve: &Programmed
         }
     };
     let most = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|k| f64::max(a[k], b[k]));
-    let [rate, second, third] =
-        (0..theta.len() - 1).into_par_iter().with_min_len(256).map(of).reduce(|| [0.0; 3], most);
+    let [rate, second, third] = parallel::map_short(256, 0..theta.len() - 1, of).into_iter().fold([0.0; 3], most);
     let whole = curve.blocks() > 0 && curve.rows[..theta.len() - 1].iter().all(|r| r.way.is_curved());
     Schedule {
         kind: before.kind,

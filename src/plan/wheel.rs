@@ -1,7 +1,5 @@
 //! The wheel that a blade belongs to: what of it is in the tool's way.
 
-use rayon::prelude::*;
-
 use nalgebra::Unit;
 
 use crate::artifact::{Blade, Obstacle, Wheel};
@@ -11,6 +9,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::job::WheelSettings;
+use crate::parallel;
 
 /// A rotor axis nearer to the blade axis than this leaves the blade no radial direction (sine).
 const ALONG_BLADE: f64 = 0.2;
@@ -59,7 +58,7 @@ pub(super) fn bodies(
     };
     let off_mm = blade.part.deflection_mm;
     let other = |k: u32| blade.part.mesh.clone().moved(&wheel.turn_to(k));
-    let others = (2..=wheel.blades).into_par_iter().map(other).collect::<Vec<_>>();
+    let others = parallel::map(2..=wheel.blades, other);
     // One body: how near the tool comes to the nearest of them is one question, and the far ones
     // then cost nothing.
     let mut out = vec![body("the other blades".into(), together(&others), off_mm)];
@@ -97,7 +96,8 @@ fn apart(wheel: &Wheel, blade: &Blade) -> Result<()> {
         let q = back * *p;
         bounds.as_ref().is_some_and(|b| (0..3).all(|k| b.min[k] <= q[k] && q[k] <= b.max[k]))
     };
-    let deepest = mesh.points.par_iter().filter(may_be).filter_map(depth).max_by(|a, b| a.0.total_cmp(&b.0));
+    let deepest = parallel::filter_map(mesh.points.iter().filter(may_be), depth);
+    let deepest = deepest.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
     let Some((depth_mm, at)) = deepest else { return Ok(()) };
     let at: [f64; 3] = (blade.model_from_blade * at).into();
     let [x, y, z] = at;

@@ -1,11 +1,10 @@
 //! Signed distances to the part with their gradients: exact, to the mesh, and interpolated on a
 //! grid.
 
-use rayon::prelude::*;
-
 use crate::geometry::measured::Closest;
 use crate::geometry::part::Part;
 use crate::geometry::{Aabb, Point, Vector};
+use crate::parallel;
 
 /// Where the way to the closest point is off the normal by less than this (cosine), the normal says
 /// on which side a point is; else it is at an edge.
@@ -107,7 +106,7 @@ impl Grid {
             };
             (0..nx).map(node).map(|d| d.unwrap_or(f32::NAN)).collect::<Vec<_>>()
         };
-        let distance_mm = (0..ny * nz).into_par_iter().flat_map_iter(row).collect();
+        let distance_mm = parallel::flat_map(0..ny * nz, row);
         Some(Grid { min, step_mm, count, distance_mm })
     }
 

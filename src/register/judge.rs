@@ -1,14 +1,13 @@
 //! Whether a lay is the one: how well the balls touch, what is determined, and how near the next
 //! best is.
 
-use rayon::prelude::*;
-
 use super::field::{Exact, Field, Triangles};
 use super::places::{Lay, Place, Places, followed, zero};
 use super::search::{Candidate, Search, rms_mm};
 use super::solve::{Centres, Change, Task, UNKNOWNS};
 use crate::error::Result;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 use crate::read::program::{Bench, Script};
 use crate::tool::Tool;
 
@@ -85,12 +84,7 @@ pub(super) fn touch(search: &Search, script: &Script, benches: &[Bench], lay: &L
         let grown = if lay.tip { 0.0 } else { lay.grown_mm };
         Some(exact.at(&centre)?.0 - bench.tool.radius_mm - grown - search.stock_mm)
     };
-    let offs: Vec<f64> = all
-        .par_iter()
-        .enumerate()
-        .filter(|(k, _)| k % every.max(1) == 0)
-        .map(|(_, f)| off(f).map_or(f64::INFINITY, f64::abs))
-        .collect();
+    let offs: Vec<f64> = parallel::map(all.iter().step_by(every.max(1)), |f| off(f).map_or(f64::INFINITY, f64::abs));
     Ok(summed(&offs, touching_mm))
 }
 
@@ -227,7 +221,7 @@ pub(super) fn passing_share(search: &Search, tools: &[&Tool], places: &[Place], 
         };
         Some(heights.into_iter().any(inside))
     };
-    let seen: Vec<bool> = places.par_iter().filter_map(passes).collect();
+    let seen: Vec<bool> = parallel::filter_map(places, passes);
     seen.iter().filter(|p| **p).count() as f64 / seen.len().max(1) as f64
 }
 

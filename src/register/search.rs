@@ -1,8 +1,6 @@
 //! First guesses all over, and the ones that hold: coarse on a grid of distances, then on the mesh,
 //! then on the exact faces.
 
-use rayon::prelude::*;
-
 use super::field::{Exact, Field, Grid, Triangles};
 use super::places::{Lay, Place, Places};
 use super::solve::{Centres, Change, Normal, Task, UNKNOWNS};
@@ -10,6 +8,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::observe::Observer;
+use crate::parallel;
 
 type Matrix3 = nalgebra::Matrix3<f64>;
 type Turn = nalgebra::UnitQuaternion<f64>;
@@ -129,11 +128,11 @@ impl Search<'_> {
         let on_mesh = Sieve { keep: 20, same_mm: 0.1 * mm, ..Sieve::new(&mesh, &some, 0.03 * mm, 0.5 * mm) };
         let few_on_mesh = Sieve { places: &few, ..on_mesh };
         let mut lays = self.sieved(&on_grid, self.sieved(&first, self.guesses(&few, tip))?)?;
-        lays.extend(lays.par_iter().flat_map_iter(|lay| self.swept(&on_grid, lay)).collect::<Vec<_>>());
+        lays.extend(parallel::flat_map(&lays, |lay| self.swept(&on_grid, lay)));
         lays = self.sieved(&on_mesh, self.sieved(&on_grid, lays)?)?;
         // From where the mesh has led to, once more: grooves and fillets are narrower than cells.
         let other = |lay: &Lay| [self.swept(&few_on_grid, lay), self.turned(&few, lay)].concat();
-        let others: Vec<Lay> = lays.par_iter().take(CHALLENGED).flat_map_iter(other).collect();
+        let others: Vec<Lay> = parallel::flat_map(lays.iter().take(CHALLENGED), other);
         lays.extend(self.sieved(&few_on_mesh, self.sieved(&few_on_grid, others)?)?);
         self.sieved(&Sieve { keep: 8, ..on_mesh }, lays)
     }
@@ -153,7 +152,7 @@ impl Search<'_> {
             let (lay, _) = task.descend(&rough.descend(&lay, sieve.rough_steps).0, sieve.steps);
             (lay, task.nearest_cost(&lay, MEASURED))
         };
-        let mut ended: Vec<(Lay, f64)> = lays.into_par_iter().map(down).collect();
+        let mut ended: Vec<(Lay, f64)> = parallel::map(lays, down);
         ended.retain(|e| e.1.is_finite());
         ended.sort_by(|a, b| a.1.total_cmp(&b.1));
         let probe = self.probe();

@@ -2,11 +2,10 @@
 //! method on the rigid motions, with Huber's weights (P. J. Huber, *Robust Estimation of a Location
 //! Parameter*, 1964).
 
-use rayon::prelude::*;
-
 use super::field::Field;
 use super::places::{Lay, Place, Reaction};
 use crate::geometry::{Point, Rigid, Vector};
+use crate::parallel;
 
 /// Unknowns: a shift, a turn (times the part's size, so that all are lengths), the ball's radius.
 pub(super) const UNKNOWNS: usize = 7;
@@ -66,7 +65,7 @@ impl Task<'_> {
         let pivot = self.middle(all.iter().map(|(_, at)| at.arm));
         let one = |(p, at): &(&Place, Reaction)| self.residual(p, at, lay, &pivot);
         match all.len() > SHARED {
-            true => all.par_iter().map(one).collect(),
+            true => parallel::map(&all, one),
             false => all.iter().map(one).collect(),
         }
     }

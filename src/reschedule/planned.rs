@@ -1,7 +1,5 @@
 //! A stretch scheduled anew: channel, schedule and time.
 
-use rayon::prelude::*;
-
 use super::stretches::{FEWEST, Found, Place};
 use super::{Keeping, Program, RescheduleOptions, time};
 use crate::artifact::schedule::ScheduleKind;
@@ -12,6 +10,7 @@ use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
 use crate::geometry::Vector;
 use crate::numerics::angle::{nearest_turn, within_half_turn};
 use crate::observe::{Observer, Silent, timed};
+use crate::parallel;
 use crate::plan::schedules::{self, CLOSELY, ENOUGH};
 use crate::schedule::{self, ScheduleOptions};
 use crate::verify::{self, VerifyOptions};
@@ -245,13 +244,13 @@ impl Scene<'_> {
         let made = self.schedules(path, channel, ends, most_mm_min, &is_enough)?;
         // Jerk is dear: the few that are fastest without it are looked at with it.
         let rough = |schedule: Schedule| Ok((moved(&schedule, false)?.time_s, schedule));
-        let mut made = made.into_par_iter().map(rough).collect::<Result<Vec<_>>>()?;
+        let mut made = parallel::try_map(made, rough)?;
         made.sort_by(|a, b| a.0.total_cmp(&b.0));
         made.truncate(CLOSELY);
         let closely = |(_, schedule): (f64, Schedule)| Ok((moved(&schedule, true)?, schedule));
         let before = || motion(places.iter().map(|p| p.stand).collect(), &own, true);
-        let all = || made.into_par_iter().map(closely).collect::<Result<Vec<_>>>();
-        let (before, made) = timed(self.observer, Stage::Feed, || rayon::join(before, all));
+        let all = || parallel::try_map(made, closely);
+        let (before, made) = timed(self.observer, Stage::Feed, || parallel::both(before, all));
         let best = made?.into_iter().min_by(|a, b| a.0.time_s.total_cmp(&b.0.time_s));
         let Some((after, schedule)) = best else {
             let message = "no schedule of the kind begins and ends at the program's angles within the channel";

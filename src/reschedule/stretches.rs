@@ -1,11 +1,10 @@
 //! The cutting stretches of a program: where one ball runs along the part.
 
-use rayon::prelude::*;
-
 use super::Program;
 use crate::artifact::{Cone, Cones, Stand};
 use crate::geometry::measured::Closest;
 use crate::geometry::part::Part;
+use crate::parallel;
 use crate::read::program::{Block, Course, Moved};
 
 /// Nearer to the part than this the stock is looked for, mm.
@@ -69,7 +68,7 @@ pub(super) fn places(program: &Program, part: &Part) -> Vec<Place> {
         out.push(Place { block: m.block, moved: last, seconds, stand, at: None, barred });
     }
     let reach = tool.radius_mm + STOCK_MM;
-    out.par_iter_mut().for_each(|p| p.at = part.closest(&p.stand.centre, reach));
+    parallel::map(&mut out, |p| p.at = part.closest(&p.stand.centre, reach));
     out
 }
 

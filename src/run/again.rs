@@ -147,7 +147,7 @@ pub fn read(out: &Path, observer: &dyn Observer) -> Result<Finished> {
     let draft = inputs::draft(inputs::job(&file)?, out)?;
     let text = files::read_text(&plan_file, files::LONG)
         .map_err(|e| Error::io(Stage::Output, format!("cannot read {}: {e}", plan_file.display())).caused_by(e))?;
-    let plan: Plan = serde_json::from_str(&text)
+    let plan: Plan = serde_json::from_slice(text.as_bytes())
         .map_err(|e| Error::io(Stage::Output, format!("{} is damaged: {e}", plan_file.display())).caused_by(e))?;
     let loaded = Loaded::read(&draft, observer)?;
     verify::well_formed(&plan, &loaded.setup.machine)?;

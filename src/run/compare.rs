@@ -4,7 +4,6 @@
 
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{Loaded, RunFolder};
@@ -15,6 +14,7 @@ use crate::feed::{self, AxisPeaks, FeedOptions};
 use crate::job::Draft;
 use crate::machine::{Axis, Machine};
 use crate::observe::{Observer, Recorder, Silent};
+use crate::parallel;
 use crate::plan::Setup;
 use crate::plan::planning::{channel_as_far_as_it_goes, path_as_asked};
 use crate::plan::schedules::{machinable, paced};
@@ -150,7 +150,7 @@ pub fn compare(
         .zip(&made)
         .map(|(name, (s, seconds))| ground.figures(name, s, *seconds))
         .collect::<Result<Vec<_>>>()?;
-    let sweep = SCALES.par_iter().map(|scale| ground.under(*scale, &names, &made)).collect::<Result<Vec<_>>>()?;
+    let sweep = parallel::try_map(&SCALES, |scale| ground.under(*scale, &names, &made))?;
     let optimal = names.iter().zip(&made).find(|(name, _)| *name == OPTIMAL).filter(|_| setup.job.feed.smooth);
     let paths = match optimal {
         Some((_, (schedule, _))) => paths::all(&ground, schedule, &recorder)?,

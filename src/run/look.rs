@@ -1,6 +1,5 @@
 //! What people look at: `preview.glb` and `report.html`, from a run or from its files.
 
-use rayon::prelude::*;
 use serde_json::Value;
 
 use super::again::Checked;
@@ -12,6 +11,7 @@ use crate::artifact::{CheckReport, Plan, Program, Schedule, Section};
 use crate::error::{Error, Result, Stage};
 use crate::lead;
 use crate::observe::{Observer, Recorder, Silent};
+use crate::parallel;
 use crate::plan::{Baseline, Setup, leads, sketch};
 use crate::schedule;
 use crate::section;
@@ -171,8 +171,8 @@ pub(super) fn others(setup: &Setup, plan: &Plan) -> Vec<Other> {
         ScheduleKind::Optimal | ScheduleKind::Time => sketch::sketch(kind, setup, path, channel),
         _ => schedule::plan(kind, path, channel, &options, &crate::observe::Silent).ok(),
     };
-    let wanted: Vec<_> = kinds.into_iter().filter(|(_, kind)| *kind != plan.schedule.kind).collect();
-    wanted.into_par_iter().filter_map(|(name, kind)| Some((name, make(kind)?))).collect()
+    let wanted = kinds.into_iter().filter(|(_, kind)| *kind != plan.schedule.kind);
+    parallel::filter_map(wanted, |(name, kind)| Some((name, make(kind)?)))
 }
 
 /// preview.glb and report.html of a plan taken up again: sections, the fixed-lead baseline and the

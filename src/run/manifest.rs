@@ -70,7 +70,7 @@ pub struct Manifest {
 
 /// The manifest that a text holds; `None`: it is none.
 pub fn read(text: &str) -> Option<Manifest> {
-    serde_json::from_str(text).ok()
+    serde_json::from_slice(text.as_bytes()).ok()
 }
 
 /// Reads an input's size and hash; `key`: where the job names it.

@@ -90,7 +90,7 @@ fn open(run: &RunAtWork, earlier: &Earlier) -> Option<KeptRun> {
     let text = |name: &str| files.iter().find(|f| f.0 == name).and_then(|f| std::str::from_utf8(&f.1).ok());
     let (plan_json, summary) = (text("plan.json")?, earlier.file("summary.json")?);
     let payload = Payload::of_page(std::str::from_utf8(&earlier.file("report.html")?).ok()?)?;
-    let plan: Plan = serde_json::from_str(plan_json).ok()?;
+    let plan: Plan = serde_json::from_slice(plan_json.as_bytes()).ok()?;
     let checks = earlier.checks()?;
     let verdict = seal::recall(plan, plan_json, checks.report, &checks.seal, &reuse::subject(run.loaded)).ok()?.ok()?;
     let summary = serde_json::from_slice(&summary).ok()?;

@@ -1,8 +1,6 @@
 //! The piecewise decoupled schedule over the whole path: walls, base points, choice of insets,
 //! assembly.
 
-use rayon::prelude::*;
-
 use super::bezier;
 use super::check;
 use super::corridor::{Corridor, PathAngle};
@@ -13,6 +11,7 @@ use crate::artifact::schedule::{BaseAngle, BezierPiece, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage, turn_number};
 use crate::observe::{Doubt, Observer, Warning};
+use crate::parallel;
 
 /// Insets of the base points from the walls that are tried, rad.
 const BASE_INSETS: [f64; 4] = [0.02, 0.05, 0.15, 0.4];
@@ -205,13 +204,10 @@ fn decoupled(
         .flat_map(|inset| shares.iter().map(move |level| (*inset, *level)))
         .flat_map(|(inset, level)| places.iter().map(move |base| Choice { inset, level, base: *base }))
         .collect();
-    let tried: Vec<Result<std::result::Result<Attempt, PathAngle>>> = choices
-        .par_iter()
-        .map(|choice| {
-            observer.check(Stage::Schedule)?;
-            Ok(attempt(path, walls, options, *choice))
-        })
-        .collect();
+    let tried: Vec<Result<std::result::Result<Attempt, PathAngle>>> = parallel::map(&choices, |choice| {
+        observer.check(Stage::Schedule)?;
+        Ok(attempt(path, walls, options, *choice))
+    });
     let mut best: Option<Attempt> = None;
     let mut stuck = [0.0, 0.0];
     for t in tried {
@@ -280,10 +276,7 @@ fn attempt(
         }
     }
     stretches.push(PathSpan { from, to: end, start: open, end: SpanEnd::Free(last) });
-    found.stretches = stretches
-        .par_iter()
-        .map(|s| turn::plan(walls, s, choice.inset, options.pace))
-        .collect::<std::result::Result<Vec<_>, _>>()?;
+    found.stretches = parallel::try_map(&stretches, |s| turn::plan(walls, s, choice.inset, options.pace))?;
     found.cost = found.stretches.iter().fold(0.0, |m, s| m.max(s.cost));
     Ok(found)
 }

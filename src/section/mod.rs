@@ -40,8 +40,6 @@ pub mod smooth;
 
 pub use settings::{SectionKeys, SectionSettings};
 
-use rayon::prelude::*;
-
 use crate::artifact::Blade;
 use crate::artifact::section::{Section, SectionLoop, Side};
 use crate::error::{Error, Infeasible, Result, Stage};
@@ -49,6 +47,7 @@ use crate::geometry::part::Part;
 use crate::geometry::profile::outline::{self, Outline};
 use crate::geometry::profile::{Names, Profile, SectionEnds, Sides, TOLERANCE_MM, edges};
 use crate::observe::{Doubt, Observer, Warning};
+use crate::parallel;
 use crate::settings::with_settings;
 
 /// Which sections, and how smooth.
@@ -79,13 +78,10 @@ impl Default for SectionOptions {
 /// that does not close, `Cancelled`.
 pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) -> Result<Vec<Section>> {
     let heights = heights(blade, options)?;
-    let cut: Vec<SectionCut> = heights
-        .par_iter()
-        .map(|&x_mm| {
-            observer.check(Stage::Section)?;
-            Ok(cut(&blade.part, x_mm, options.tolerance_mm))
-        })
-        .collect::<Result<_>>()?;
+    let cut: Vec<SectionCut> = parallel::try_map(&heights, |&x_mm| {
+        observer.check(Stage::Section)?;
+        Ok(cut(&blade.part, x_mm, options.tolerance_mm))
+    })?;
     observer.progress(Stage::Section, heights.len(), heights.len());
     if cut.iter().all(|c| c.loops.is_empty()) {
         return Err(no_section(blade, &cut));

@@ -12,11 +12,10 @@
 //! Taylor's formula bounds with the same `M`. An interval is halved until both bounds are good
 //! enough.
 
-use rayon::prelude::*;
-
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 use crate::numerics::quintic::{self, Breaks, ORDER, apply};
+use crate::parallel;
 
 /// Intervals are not halved below this length, mm.
 const SHORTEST_MM: f64 = 1e-4;
@@ -57,7 +56,7 @@ pub(super) fn prove(part: &Allowed, radius_mm: f64, breaks: &Breaks, x: &[[f64; 
         let ordinates = apply(&breaks.ordinates(i, breaks.span(i)), &x[i..]);
         span(part, radius_mm, breaks.span(i), &ordinates, limits).unwrap_or(Proof::LOST)
     };
-    (0..breaks.spans()).into_par_iter().with_min_len(16).map(of).collect()
+    parallel::map_short(16, 0..breaks.spans(), of)
 }
 
 /// The worst of all.

@@ -10,8 +10,6 @@
 //! Across the path the curve keeps near to the polyline of the locations. Where these lie unevenly
 //! about the curve, the span is cut at them, so that the polyline is straight on each interval.
 
-use rayon::prelude::*;
-
 use super::form::Form;
 use super::room::Room;
 use super::start;
@@ -20,6 +18,7 @@ use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 use crate::numerics::bounded::{Row, Span, Strip};
 use crate::numerics::quintic::{Breaks, Map, ORDER, apply};
+use crate::parallel;
 
 /// Places of a span from which the part is looked at, evenly spread over it.
 const PLACES: usize = 5;
@@ -66,7 +65,7 @@ pub(super) fn look(part: &Allowed, radius_mm: f64, breaks: &Breaks, x: &[[f64; 3
         }
         Some(out)
     };
-    (0..breaks.spans()).into_par_iter().with_min_len(PER_THREAD).map(see).collect()
+    parallel::map_short(PER_THREAD, 0..breaks.spans(), see).into_iter().collect()
 }
 
 /// Ordinates of degree 7 of the polynomial of degree 4 through values at the five places.
@@ -136,8 +135,8 @@ impl Tube<'_> {
             let (rows, strips) = limits(i);
             (Span { hessian, gradient, rows, strips }, value)
         };
-        let spans = (0..self.breaks.spans()).into_par_iter().with_min_len(PER_THREAD);
-        let (spans, values): (Vec<_>, Vec<f64>) = spans.map(of).unzip();
+        let spans = parallel::map_short(PER_THREAD, 0..self.breaks.spans(), of);
+        let (spans, values): (Vec<_>, Vec<f64>) = spans.into_iter().unzip();
         (spans, values.iter().sum())
     }
 

@@ -2,14 +2,13 @@
 //! the ball centre: where these are near to one another, numbers of one size in floating point
 //! would not tell third derivatives of θ.
 
-use rayon::prelude::*;
-
 use super::form::{self, Form};
 use super::{Share, SmoothOptions};
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::toolpath::CutterLocation;
 use crate::numerics::bounded::{self, Enough, Missed, Row, Solution, Span, Strip};
 use crate::numerics::quintic::{Breaks, CONDITION, ORDER, apply};
+use crate::parallel;
 
 /// A span is cut where walls as seen from the curve differ by more than this share of the way
 /// between them.
@@ -72,7 +71,7 @@ impl Turning<'_> {
             };
             (span, value)
         };
-        let (spans, values): (Vec<_>, Vec<f64>) = (0..breaks.spans()).into_par_iter().map(of).unzip();
+        let (spans, values): (Vec<_>, Vec<f64>) = parallel::map(0..breaks.spans(), of).into_iter().unzip();
         let value: f64 = values.iter().sum();
         let reach = 2.0 * CONDITION * options.turn_rad;
         let enough = Enough { gap: options.gap, nothing: 0.5 * NOTHING * NOTHING * (last.0 - first.0) };

@@ -3,7 +3,7 @@
 
 use super::HolderStage;
 use crate::error::{Error, Result, Stage};
-use crate::settings::in_words;
+use crate::settings::from_toml;
 
 /// The built-in catalogue.
 const BUILT_IN: &str = include_str!("../../models/tools/cutters.toml");
@@ -87,8 +87,7 @@ impl Catalogue {
     /// # Errors
     /// None for the built-in file, which a test reads.
     pub fn built_in() -> Result<Self> {
-        toml::from_str(BUILT_IN)
-            .map_err(|e| Error::usage(Stage::Job, format!("models/tools/cutters.toml: {}", in_words(&e))))
+        from_toml(BUILT_IN).map_err(|e| Error::usage(Stage::Job, format!("models/tools/cutters.toml: {}", e.words)))
     }
 
     /// The cutter for a ball that need not be in the catalogue: the smallest with a ball as large,

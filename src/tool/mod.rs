@@ -21,7 +21,7 @@ pub use chip::{Chip, CutKeys, CutSettings};
 use crate::artifact::ToolPart;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
-use crate::settings::in_words;
+use crate::settings::{from_toml, from_value};
 
 /// Room that taper and shank keep from a part where nobody asks for another, mm.
 pub const CLEARANCE_MM: f64 = 0.1;
@@ -91,13 +91,13 @@ impl Tool {
                  job.resolved.toml of any run will do",
             )
         };
-        let mut table: toml::Table = toml::from_str(text).map_err(|e| bad(&in_words(&e)))?;
+        let mut table: toml::Table = from_toml(text).map_err(|e| bad(&e.words))?;
         let own = match table.remove("tool") {
-            Some(toml::Value::Table(tool)) => tool,
+            Some(tool @ toml::Value::Table(_)) => tool,
             Some(_) => return Err(bad("`tool` is not a table")),
-            None => table,
+            None => table.into(),
         };
-        let mut tool: Tool = own.try_into().map_err(|e: toml::de::Error| bad(&in_words(&e)))?;
+        let mut tool: Tool = from_value(&own).map_err(|e| bad(&e))?;
         // A corner as round as the cutter is a ball.
         tool.corner_radius_mm = tool.corner_radius_mm.filter(|r| *r != tool.radius_mm);
         tool.validate()?;

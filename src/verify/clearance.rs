@@ -8,7 +8,6 @@
 //! moment is left out that could matter.
 
 use parry3d_f64::partitioning::TraversalAction;
-use rayon::prelude::*;
 
 use super::apart::Apart;
 use super::options::VerifyOptions;
@@ -17,6 +16,7 @@ use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Plan, Stand, Toolpath};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 use crate::tool::Segment;
 
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of
@@ -178,19 +178,13 @@ impl<'a> TrackSearch<'a> {
     fn whole(&self) -> Nearest {
         let n = self.track.stands.len();
         // A coarse look first: its least distance lets the fine one skip nearly everything.
-        let coarse: Vec<Nearest> = (0..n)
-            .step_by(n.div_ceil(COARSE))
-            .filter(|row| self.track.wants(*row))
-            .collect::<Vec<_>>()
-            .into_par_iter()
-            .map(|row| self.least(&self.place(row, 0.5, 0.5), FAR_MM, u32::MAX, row).1)
-            .collect();
+        let few = (0..n).step_by(n.div_ceil(COARSE)).filter(|row| self.track.wants(*row));
+        let coarse: Vec<Nearest> =
+            parallel::map(few, |row| self.least(&self.place(row, 0.5, 0.5), FAR_MM, u32::MAX, row).1);
         let start = coarse.into_iter().fold(Nearest::far(FAR_MM), Nearest::nearer);
         let moves = n - 1;
-        let fine: Vec<Nearest> = (0..moves.div_ceil(CHUNK))
-            .into_par_iter()
-            .map(|k| self.over(k * CHUNK..((k + 1) * CHUNK).min(moves), start))
-            .collect();
+        let fine: Vec<Nearest> =
+            parallel::map(0..moves.div_ceil(CHUNK), |k| self.over(k * CHUNK..((k + 1) * CHUNK).min(moves), start));
         fine.into_iter().fold(start, Nearest::nearer)
     }
 }
@@ -239,7 +233,7 @@ pub(super) fn short_stands(stands: &[Stand], a: &Apart, more_mm: f64, options: &
         let track = Track { stands, wanted: None };
         let motion = TrackSearch { part: on, track, segments: &a.segments, resolution, share };
         let short = |row: &usize| motion.may_fall_short(*row, needed + on.deflection_mm);
-        moves.into_par_iter().filter(short).collect()
+        parallel::filter(moves, short)
     };
     let short = among(a.part, (0..stands.len().saturating_sub(1)).collect());
     match a.part.sharper().filter(|_| !short.is_empty()) {
@@ -371,7 +365,7 @@ pub(super) fn below(track: Track, part: &Part, segments: &[Segment], limit_mm: f
         met
     };
     let moves = 0..track.stands.len().saturating_sub(1);
-    moves.into_par_iter().filter(|row| track.wants(*row)).filter(touches).collect()
+    parallel::filter(moves.filter(|row| track.wants(*row)), touches)
 }
 
 /// The checks `clearance` (taper, shank) and `holder-clearance` of the part, `obstacle-clearance`

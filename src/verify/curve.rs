@@ -15,8 +15,6 @@
 //! | `curve-theta` | how far θ turns back, or lies outside the channel with walls straight between locations |
 //! | `curve-joints` | greatest jump of a third derivative at a location within the curve beyond rounding, as a share of the greatest there is; also that places join |
 
-use rayon::prelude::*;
-
 use super::apart::Apart;
 use super::clearance::{self, Track};
 use super::height::percentile;
@@ -28,6 +26,7 @@ use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Plan, ProgrammedCurve, Stand, Toolpath};
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
+use crate::parallel;
 use crate::tool::Segment;
 
 /// Chords of the curve are off it by at most this, mm, but for pieces that would take too many.
@@ -96,7 +95,7 @@ impl Chords {
 /// The ways from each location to the next.
 fn polynomials(path: &Toolpath, theta: &[f64], curve: &ProgrammedCurve) -> Vec<Option<Polynomial>> {
     let one = |k: usize| curve.polynomial(path, theta, k);
-    (0..path.locations.len()).into_par_iter().with_min_len(256).map(one).collect()
+    parallel::map_short(256, 0..path.locations.len(), one)
 }
 
 /// Moves between two locations, by their first, on which the tool may come nearer to something than

@@ -14,14 +14,13 @@
 //! about axes that turn with one another, `V = |c'| + R Σωᵢ` and `A = R (Σωᵢ)²`, `R` the disc's
 //! radius. A move is halved until the bound is within the resolution of what has been measured.
 
-use rayon::prelude::*;
-
 use super::gouge::{self, Gouge};
 use crate::artifact::Stand;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::disc::Disc;
 use crate::geometry::near_disc::DiscSearch;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 use crate::tool::Tool;
 
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of
@@ -108,10 +107,9 @@ impl SweptCutter<'_> {
 /// nearest to the part.
 pub(super) fn measure_within(part: &Allowed, swept: &SweptCutter, resolution_mm: f64, reach_mm: f64) -> Gouge {
     let n = swept.moves();
-    let chunks: Vec<Gouge> = (0..n.div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|k| measure_moves(part, swept, k * CHUNK..((k + 1) * CHUNK).min(n), resolution_mm, reach_mm))
-        .collect();
+    let chunks: Vec<Gouge> = parallel::map(0..n.div_ceil(CHUNK), |k| {
+        measure_moves(part, swept, k * CHUNK..((k + 1) * CHUNK).min(n), resolution_mm, reach_mm)
+    });
     chunks.into_iter().fold(Gouge::none(), Gouge::and)
 }
 
@@ -212,7 +210,7 @@ pub(super) fn deeper_than(part: &Allowed, swept: &SweptCutter, limit_mm: f64) ->
         };
         wanted.filter(cuts).collect::<Vec<usize>>()
     };
-    (0..n.div_ceil(CHUNK)).into_par_iter().flat_map_iter(chunk).collect()
+    parallel::flat_map(0..n.div_ceil(CHUNK), chunk)
 }
 
 /// Which stands are no farther from the part, its stock and the cutter's corner between them, than
@@ -224,7 +222,7 @@ pub(super) fn touching(part: &Allowed, stands: &[Stand], tool: &Tool, near_mm: f
         let touches = |s: &Stand| search.closest(&tool.disc(s.centre, s.axis()), near, 0.1 * near_mm).is_some();
         chunk.iter().map(touches).collect::<Vec<bool>>()
     };
-    stands.par_chunks(CHUNK).flat_map_iter(chunk).collect()
+    parallel::flat_map(stands.chunks(CHUNK), chunk)
 }
 
 #[cfg(test)]

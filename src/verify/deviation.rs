@@ -44,8 +44,6 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use super::height::flat_stepover;
 use super::sweep::Sweep;
 use crate::artifact::deviation::DeviationMap;
@@ -54,6 +52,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 
 /// Edges are at least this short before their heights are trusted, as a share of the stepover on a
 /// plane.
@@ -162,7 +161,7 @@ impl Growing<'_> {
             });
             open.push(triangle);
         }
-        let corners: Vec<Corner> = places.par_iter().map(|(p, n, face)| self.corner(p, n, *face)).collect();
+        let corners: Vec<Corner> = parallel::map(&places, |(p, n, face)| self.corner(p, n, *face));
         self.push(corners, places.iter().map(|p| p.2));
         while !open.is_empty() {
             open = self.halved(open);
@@ -177,8 +176,7 @@ impl Growing<'_> {
 
     /// What is known of the triangles that are not fine enough; see the module's page.
     fn bound_coarse(&mut self) {
-        let all = self.coarse.par_iter().map(|t| self.triangle_bound(&self.map.triangles[*t]));
-        let bounds: Vec<KnownBound> = all.collect();
+        let bounds = parallel::map(&self.coarse, |t| self.triangle_bound(&self.map.triangles[*t]));
         let map = &mut self.map;
         map.coarse = bounds.len();
         for bound in bounds {
@@ -267,7 +265,7 @@ impl Growing<'_> {
 
     /// Halves what needs it; what does not goes into the map. Gives the halves.
     fn halved(&mut self, open: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
-        let near: Vec<[u32; 3]> = open.into_par_iter().filter(|t| self.near(t)).collect();
+        let near: Vec<[u32; 3]> = parallel::filter(open, |t| self.near(t));
         let full = self.map.triangles.len() + 2 * near.len() > self.most;
         // Triangles whose longest edge is to be looked at, by that edge.
         let mut middles: BTreeMap<(u32, u32), u32> = BTreeMap::new();
@@ -284,18 +282,13 @@ impl Growing<'_> {
             }
         }
         let first = self.map.points.len();
-        let corners: Vec<Corner> = middles
-            .keys()
-            .collect::<Vec<_>>()
-            .into_par_iter()
-            .map(|(a, b)| {
-                let (a, b) = (*a as usize, *b as usize);
-                let (p, n) = (&self.map.points, &self.map.normals);
-                let normal = (n[a] + n[b]).try_normalize(1e-9).unwrap_or(n[a]);
-                // Corners are on the stock; the part is below.
-                self.corner(&(nalgebra::center(&p[a], &p[b]) - normal * self.part.stock_mm), &normal, self.faces[a])
-            })
-            .collect();
+        let corners: Vec<Corner> = parallel::map(middles.keys(), |(a, b)| {
+            let (a, b) = (*a as usize, *b as usize);
+            let (p, n) = (&self.map.points, &self.map.normals);
+            let normal = (n[a] + n[b]).try_normalize(1e-9).unwrap_or(n[a]);
+            // Corners are on the stock; the part is below.
+            self.corner(&(nalgebra::center(&p[a], &p[b]) - normal * self.part.stock_mm), &normal, self.faces[a])
+        });
         middles.values_mut().enumerate().for_each(|(i, m)| *m = (first + i) as u32);
         let faces: Vec<u32> = middles.keys().map(|(a, _)| self.faces[*a as usize]).collect();
         self.push(corners, faces.into_iter());

@@ -9,14 +9,13 @@
 //! whatever the part looks like. A move is halved until this bound is within the resolution of what
 //! has been measured.
 
-use rayon::prelude::*;
-
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Obstacle};
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
+use crate::parallel;
 
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of
 /// threads.
@@ -72,10 +71,9 @@ pub(super) fn measure(part: &Allowed, sweep: &Sweep, resolution_mm: f64) -> Goug
 /// As [`measure`]; distances of the ball to the part are told up to `reach_mm` at least.
 pub(super) fn measure_within(part: &Allowed, sweep: &Sweep, resolution_mm: f64, reach_mm: f64) -> Gouge {
     let n = sweep.centres.len() - 1;
-    let chunks: Vec<Gouge> = (0..n.div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|k| measure_moves(part, sweep, k * CHUNK..((k + 1) * CHUNK).min(n), resolution_mm, reach_mm))
-        .collect();
+    let chunks: Vec<Gouge> = parallel::map(0..n.div_ceil(CHUNK), |k| {
+        measure_moves(part, sweep, k * CHUNK..((k + 1) * CHUNK).min(n), resolution_mm, reach_mm)
+    });
     chunks.into_iter().fold(Gouge::none(), Gouge::and)
 }
 
@@ -139,7 +137,7 @@ pub(super) fn deeper_than(part: &Allowed, sweep: &Sweep, limit_mm: f64) -> Vec<u
         deep(&b) || deep(&nalgebra::center(&a, &b))
     };
     let moves = 0..sweep.centres.len().saturating_sub(1);
-    moves.into_par_iter().filter(|i| sweep.counts(*i)).filter(cuts).collect()
+    parallel::filter(moves.filter(|i| sweep.counts(*i)), cuts)
 }
 
 /// The face that is nearest to a ball centre, whether only the part's file has it so, and what to

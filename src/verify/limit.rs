@@ -18,8 +18,6 @@
 //!   the ridge on each side. This form is good to first order in `c/h − 1`; on exact faces it is
 //!   computed too, as a second opinion.
 
-use rayon::prelude::*;
-
 use super::height::{REACH_SLACK, UNCUT, flat_stepover, lift, percentile};
 use super::ridge::{self, Ridges};
 use super::samples;
@@ -28,6 +26,7 @@ use crate::artifact::report::{LimitFigures, LimitSource};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
+use crate::parallel;
 use crate::tool::scallop::width_on_part_mm;
 
 /// Passes are compared with their neighbours at most at so many places.
@@ -95,7 +94,7 @@ fn over_area(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usize) -> (f
         let width = bend.and_then(|bend| width_on_part_mm(radius, scallop_mm, &bend, &travel));
         Some((part.area_ratio(s.on_face.as_ref()), width.map_or(0.0, |w| 1.0 / w)))
     };
-    let shares: Vec<(f64, f64)> = all.points.par_iter().filter_map(share).collect();
+    let shares: Vec<(f64, f64)> = parallel::filter_map(&all.points, share);
     // At a pole, or along a crease as round as the ball, there is no width: such samples count as
     // the mean of the others.
     let (mut area, mut known, mut sum) = (0.0, 0.0, 0.0);
@@ -116,19 +115,16 @@ fn share_of_ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> f64 {
     let rows: Vec<usize> = (0..n).step_by(every).filter(|row| inner(sweep, *row)).collect();
     let apart_mm = ridge::apart_mm(sweep.radius_mm, scallop_mm);
     let ridges = &Ridges { part, sweep, every, apart_mm, slack_mm: UNCUT * scallop_mm };
-    let parts: Vec<(f64, f64)> = rows
-        .into_par_iter()
-        .flat_map_iter(|row| {
-            let turn = sweep.turns[row];
-            let way = 0.5 * ridge::stretch_mm(sweep, row, every);
-            let sides = [turn.checked_sub(1), turn.checked_add(1)];
-            let share = move |other: u32| {
-                let c = ridges.at(row, other)?;
-                Some((way, way * (c.height_mm.max(0.0) / scallop_mm).sqrt()))
-            };
-            sides.into_iter().flatten().filter_map(share).collect::<Vec<_>>()
-        })
-        .collect();
+    let parts: Vec<(f64, f64)> = parallel::flat_map(rows, |row| {
+        let turn = sweep.turns[row];
+        let way = 0.5 * ridge::stretch_mm(sweep, row, every);
+        let sides = [turn.checked_sub(1), turn.checked_add(1)];
+        let share = move |other: u32| {
+            let c = ridges.at(row, other)?;
+            Some((way, way * (c.height_mm.max(0.0) / scallop_mm).sqrt()))
+        };
+        sides.into_iter().flatten().filter_map(share).collect::<Vec<_>>()
+    });
     let (way, least) = parts.iter().fold((0.0, 0.0), |(w, l), (a, b)| (w + a, l + b));
     if way > 0.0 { least / way } else { 0.0 }
 }

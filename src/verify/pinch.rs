@@ -15,7 +15,6 @@ use std::ops::Range;
 use parry3d_f64::math::{Pose, Vector as ParryVector};
 use parry3d_f64::query::gjk::{self, CsoPoint, GJKResult, VoronoiSimplex};
 use parry3d_f64::shape::SupportMap;
-use rayon::prelude::*;
 
 use super::apart::{Apart, apart};
 use super::clearance::{Track, kept};
@@ -28,6 +27,7 @@ use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Cone, Obstacle, PairedRows, Stand};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 use crate::tool::{Segment, Tool};
 
 /// Ridges are measured on each side at about so many places.
@@ -146,7 +146,7 @@ fn ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> Vec<Height> {
     let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
     let of = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
     let rows: Vec<usize> = (0..sweep.centres.len()).step_by(every).collect();
-    sort(rows.into_par_iter().filter_map(|row| of.at(row, sweep.turns[row] + 1)).collect())
+    sort(parallel::filter_map(rows, |row| of.at(row, sweep.turns[row] + 1)))
 }
 
 fn ridge_check(heights: &[Height], work: &PinchWork, options: &VerifyOptions) -> Check {
@@ -205,7 +205,7 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
         Some([lines_apart(&p, &n, &q, &m), (n + m).norm().clamp(0.0, 2.0) / 2.0])
     };
     let places: Vec<usize> = (0..work.rows.places.len()).collect();
-    let found: Vec<Option<[f64; 2]>> = places.par_iter().map(of).collect();
+    let found: Vec<Option<[f64; 2]>> = parallel::map(&places, of);
     let sorted = |column: usize| {
         let mut all: Vec<f64> = found.iter().map(|f| f.map_or(f64::INFINITY, |f| f[column])).collect();
         all.sort_by(f64::total_cmp);
@@ -270,7 +270,7 @@ fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Ch
         (least, order[*i].1)
     };
     let rows: Vec<usize> = (0..order.len()).collect();
-    let all: Vec<(f64, usize)> = rows.par_iter().map(one).collect();
+    let all: Vec<(f64, usize)> = parallel::map(&rows, one);
     let (least_mm, k) = all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0));
     let point = work.blade.model_from_blade * work.rows.places[k].held_centre;
     let quantity = "least distance of the two tools, between places too";

@@ -11,8 +11,6 @@
 //! enters the swept ball, which is the ridge itself unless another move is lower by more than
 //! chords sag.
 
-use rayon::prelude::*;
-
 use super::height::{Height, REACH_SLACK, flat_stepover, lift, percentile, sort};
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
@@ -20,6 +18,7 @@ use crate::artifact::Toolpath;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 
 /// Ridges are measured at most at so many places.
 const MOST_RIDGES: usize = 6000;
@@ -71,8 +70,7 @@ pub fn ridges(path: &Toolpath, part: &Part, options: &VerifyOptions, most: usize
         let (ridge, other) = of.with_other(row, sweep.turns[row] + 1)?;
         Some(RidgeAt { rows: [row, other], height_mm: ridge.height_mm })
     };
-    let rows: Vec<usize> = (0..sweep.centres.len()).step_by(of.every).collect();
-    rows.into_par_iter().filter_map(one).collect()
+    parallel::filter_map((0..sweep.centres.len()).step_by(of.every), one)
 }
 
 fn looked_for<'a>(part: &'a Allowed<'a>, sweep: &'a Sweep, scallop_mm: f64, most: usize) -> Ridges<'a> {
@@ -88,8 +86,8 @@ pub(super) fn all(part: &Allowed, sweep: &Sweep, scallop_mm: f64, inner: bool) -
     let (first, last) = outer_turns(sweep);
     let inner = inner && last >= first + 3;
     let counts = |row: usize| !inner || (sweep.turns[row] > first && sweep.turns[row] + 1 < last);
-    let rows: Vec<usize> = (0..n).step_by(ridges.every).filter(|row| counts(*row)).collect();
-    sort(rows.into_par_iter().filter_map(|row| ridges.at(row, sweep.turns[row] + 1)).collect())
+    let rows = (0..n).step_by(ridges.every).filter(|row| counts(*row));
+    sort(parallel::filter_map(rows, |row| ridges.at(row, sweep.turns[row] + 1)))
 }
 
 /// How far apart two passes must be to leave a ridge, mm.

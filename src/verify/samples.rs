@@ -1,13 +1,12 @@
 //! Points of the part's surface, evenly by area, near the path.
 
-use rayon::prelude::*;
-
 use super::sweep::Sweep;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::measured::Closest;
 use crate::geometry::part::Part;
 use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 
 /// A point of the surface with its outward unit normal.
 #[derive(Clone, Copy, Debug)]
@@ -64,10 +63,8 @@ impl TrianglePiece {
 /// runs over all pieces in order. Where the part is NURBS, each point is moved to the exact
 /// surface, with the exact normal there.
 pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usize) -> Samples {
-    let pieces: Vec<TrianglePiece> = (0..part.mesh.triangles.len())
-        .into_par_iter()
-        .flat_map_iter(|t| pieces_near(part, sweep, reach_mm, t))
-        .collect();
+    let pieces: Vec<TrianglePiece> =
+        parallel::flat_map(0..part.mesh.triangles.len(), |t| pieces_near(part, sweep, reach_mm, t));
     let area: f64 = pieces.iter().map(TrianglePiece::area).sum();
     if !(area > 0.0) || count == 0 {
         return Samples { points: Vec::new(), area_mm2: 0.0 };
@@ -89,7 +86,7 @@ pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usi
             next += spacing;
         }
     }
-    let points = raw.into_par_iter().filter_map(|(t, p)| on_surface(part, t, p)).collect();
+    let points = parallel::filter_map(raw, |(t, p)| on_surface(part, t, p));
     Samples { points, area_mm2: spacing }
 }
 

@@ -12,8 +12,6 @@
 //!   gouges are judged on heights as measured.
 //! * **Ridges** ([`super::ridge`]), each counting by the area that it stands on.
 
-use rayon::prelude::*;
-
 use super::height::{Height, REACH_SLACK, UNCUT, flat_stepover, lift, percentile, sort};
 use super::limit;
 use super::options::VerifyOptions;
@@ -26,6 +24,7 @@ use crate::artifact::{Blade, CheckId, CheckReport, Plan};
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::Doubt;
+use crate::parallel;
 
 /// What was measured over the machined band.
 pub(super) struct Band {
@@ -92,7 +91,7 @@ pub(super) fn heights(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usi
         Some((Height { height_mm, point: s.point, row, weight: 1.0 }, up))
     };
     let all = samples::near_path(part, sweep, reach, count);
-    let measured: Vec<(Height, f64)> = all.points.into_par_iter().filter_map(height).collect();
+    let measured: Vec<(Height, f64)> = parallel::filter_map(all.points, height);
     let uncut = measured.iter().filter(|(_, up)| *up > UNCUT * scallop_mm).count();
     let lowest = sort(measured.iter().map(|(h, _)| *h).collect()).first().copied();
     let judged = |(h, up): &(Height, f64)| Height { height_mm: h.height_mm.min((h.height_mm - up).max(0.0)), ..*h };
@@ -190,7 +189,7 @@ fn published_depths(part: &Allowed, sweep: &Sweep) -> Vec<Height> {
         let row = near.segment + usize::from(near.t > 0.5);
         Some(Height { height_mm: near.distance_mm - sweep.radius_mm, point, row, weight: 1.0 })
     };
-    sort(published.along_edges(PUBLISHED_STEP_MM).into_par_iter().filter_map(depth).collect())
+    sort(parallel::filter_map(published.along_edges(PUBLISHED_STEP_MM), depth))
 }
 
 /// From so many times the scallop on, or the ratio that is allowed if that is more, single places

@@ -11,14 +11,13 @@
 //! of these places are taken for beside the path: there the area is too small (by about a third at
 //! 120°).
 
-use rayon::prelude::*;
-
 use super::height::{REACH_SLACK, UNCUT, flat_stepover};
 use super::samples;
 use super::sweep::Sweep;
 use crate::artifact::report::UncutPlace;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
+use crate::parallel;
 
 /// A ball that is pushed out so often has found its place to a hundredth of a micrometre in all but
 /// the shallowest corners.
@@ -37,7 +36,7 @@ pub(super) fn measure(part: &Allowed, sweep: &Sweep, scallop_mm: f64, count: usi
         let passed = left_mm > UNCUT * scallop_mm && sweep.nearest(&ball, stepover, |_| true).is_some();
         passed.then_some(UncutPlace { point: s.point, normal: s.normal, left_mm })
     };
-    (all.points.par_iter().filter_map(place).collect(), all.area_mm2)
+    (parallel::filter_map(&all.points, place), all.area_mm2)
 }
 
 /// Where a ball fits that was to be at `centre`; `None` where it fits there, or nowhere near.

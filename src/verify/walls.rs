@@ -11,14 +11,13 @@
 //! row that was widened shows. Walls that are narrower than they need be do no harm and are not
 //! found.
 
-use rayon::prelude::*;
-
 use super::apart::Apart;
 use super::clearance;
 use super::options::Asked;
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Plan, Stand};
+use crate::parallel;
 
 /// Rows that are looked at along the path.
 const EVENLY: usize = 160;
@@ -160,7 +159,7 @@ fn clear(plan: &Plan, blade: &Blade, apart: &[Apart]) -> Check {
         }
         worst
     };
-    let found: Vec<_> = rows.par_iter().map(one).collect();
+    let found: Vec<_> = parallel::map(&rows, one);
     let worst = found.into_iter().flatten().reduce(|a, b| if b.0 > a.0 { b } else { a });
     let quantity = "how much is missing of the clearance between the walls of the channel, at places along the path";
     let (missing, row, note) = worst.unwrap_or((0.0, 0, format!("{} rows, {ANGLES} angles each", rows.len())));

@@ -20,13 +20,12 @@
 //! step. The outermost steps are left out, and ways of few rows: there a plan's jerk may jump
 //! between two rows, and its columns tell nothing of that.
 
-use rayon::prelude::*;
-
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::CutterLocation;
 use crate::artifact::{AxisMotion, Blade, CheckId, Plan};
 use crate::geometry::Point;
 use crate::machine::Machine;
+use crate::parallel;
 
 /// Lengths that follow from sums of thousands of distances, mm.
 const LENGTH_MM: f64 = 1e-6;
@@ -132,7 +131,7 @@ fn contacts(plan: &Plan, blade: &Blade) -> Check {
         let near = blade.part.closest(&l.contact, path.stock_mm + FAR_MM);
         along.max(near.map_or(f64::MAX, |c| (c.distance_mm - path.stock_mm).abs()))
     };
-    let all: Vec<f64> = path.locations.par_iter().map(off).collect();
+    let all: Vec<f64> = parallel::map(&path.locations, off);
     let worst = all.iter().enumerate().fold((0.0f64, 0), |best, (row, off)| {
         let off = if off.is_nan() { f64::MAX } else { *off };
         if off > best.0 { (off, row) } else { best }

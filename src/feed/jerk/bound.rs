@@ -17,11 +17,10 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::PER_THREAD;
 use super::cells::SHARES_OF_X;
 use super::rows::{Dual, Problem};
+use crate::parallel;
 
 /// Rounds in which every `r` is moved once end where they gain less than this share of the bound.
 const ENOUGH: f64 = 1e-4;
@@ -46,8 +45,8 @@ pub(super) fn least_time(problem: &Problem, range: Range<usize>, duals: &[Dual],
     for _ in 0..rounds {
         // Each depends on its neighbours: every other one at the same time.
         for parity in 0..2 {
-            let moved = (tied.start + parity..tied.end).into_par_iter().step_by(2).with_min_len(PER_THREAD);
-            let moved: Vec<f64> = moved.map(|j| bound.raised(&r, j)).collect();
+            let moved = (tied.start + parity..tied.end).step_by(2);
+            let moved = parallel::map_short(PER_THREAD, moved, |j| bound.raised(&r, j));
             r[tied.clone()].iter_mut().skip(parity).step_by(2).zip(moved).for_each(|(r, to)| *r = to);
         }
         let value = bound.value(&r);
@@ -145,7 +144,7 @@ impl Bound {
             let middle = self.middles.get(j).map(|t| t.least(-(r[j] + r[j + 1]) * self.per_length[j + 1]));
             self.joints[j].least(r[j] * slope(j)) + middle.unwrap_or(0.0)
         };
-        let all: Vec<f64> = (0..self.joints.len()).into_par_iter().with_min_len(PER_THREAD).map(of).collect();
+        let all: Vec<f64> = parallel::map_short(PER_THREAD, 0..self.joints.len(), of);
         all.iter().sum::<f64>() - self.most
     }
 

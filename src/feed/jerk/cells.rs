@@ -1,12 +1,11 @@
 //! The path cut into cells: Bernstein forms of what is limited, in units in which numbers are of
 //! size 1.
 
-use rayon::prelude::*;
-
 use crate::artifact::Axes;
 use crate::feed::PER_THREAD;
 use crate::feed::caps::{Caps, of_velocity};
 use crate::feed::curve::{AxisCurve, bernstein, choose};
+use crate::parallel;
 
 /// Cells at least.
 const LEAST_CELLS: usize = 24;
@@ -173,8 +172,8 @@ pub(super) fn cells<'a>(
     (limits, units): (&Limits, Units),
     room: &'a mut [Derivatives],
 ) -> Vec<Cell<'a>> {
-    let cells = room.par_chunks_mut(limits.len().max(1)).zip(grid.par_windows(2)).with_min_len(PER_THREAD);
-    cells.map(|(axes, w)| cell(curve, w, cap, (limits, units), axes)).collect()
+    let cells = room.chunks_mut(limits.len().max(1)).zip(grid.windows(2));
+    parallel::map_short(PER_THREAD, cells, |(axes, w)| cell(curve, w, cap, (limits, units), axes))
 }
 
 fn cell<'a>(

@@ -12,13 +12,12 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::cells::greatest;
 use super::rows::{Dual, Problem, Shares};
 use super::window::{self, Found, Search};
 use super::{bound, relaxed};
 use crate::observe::Observer;
+use crate::parallel;
 
 /// Cells of a stretch at least …
 const LENGTH: usize = 400;
@@ -135,7 +134,7 @@ fn all<T: Send>(
     observer: &dyn Observer,
     search: impl Fn(Range<usize>) -> Option<T> + Sync,
 ) -> Option<Vec<Option<T>>> {
-    let found = ranges.par_iter().map(|r| if observer.cancelled() { None } else { search(r.clone()) }).collect();
+    let found = parallel::map(ranges, |r| if observer.cancelled() { None } else { search(r.clone()) });
     (!observer.cancelled()).then_some(found)
 }
 

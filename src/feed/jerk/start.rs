@@ -8,9 +8,8 @@
 //! acceleration changes allow, then averaged over the way that is made in that time. Where that is
 //! still too fast, those cells are slowed down and the rest anew.
 
-use rayon::prelude::*;
-
 use super::cells::{Cell, Limits, greatest};
+use crate::parallel;
 
 /// Share of the limits that is used: room to the limits for the solver to start in.
 const SHARE: f64 = 0.7;
@@ -37,7 +36,7 @@ pub(super) fn profile(inner: &[Cell], ends: [[f64; 2]; 2], limits: &Limits) -> O
         let mut v = joined(inner, &b, ends);
         let at_ends = (v[0][0] / ends[0][1]).max(v[n][0] / ends[1][1]) / SHARE;
         let excess = |(c, v): (&Cell, &[f64; 3])| c.excess(v, limits) / SHARE;
-        let over: Vec<f64> = inner.par_iter().zip(&v[..n]).with_min_len(super::PER_THREAD).map(excess).collect();
+        let over: Vec<f64> = parallel::map_short(super::PER_THREAD, inner.iter().zip(&v[..n]), excess);
         let worst = over.iter().fold(at_ends, |m, e| m.max(*e));
         if !worst.is_finite() {
             return None;
@@ -117,7 +116,7 @@ fn averaged(inner: &[Cell], x: &[f64], reach: &[f64]) -> Vec<f64> {
         }
         sum / length
     };
-    (0..n).into_par_iter().with_min_len(super::PER_THREAD).map(of).collect()
+    parallel::map_short(super::PER_THREAD, 0..n, of)
 }
 
 /// The curve of the middle coefficients. At its ends x and u are those of constant jerk from and to

@@ -1,13 +1,12 @@
 //! Faces and edges cut into pieces small enough for good bounds.
 
-use rayon::prelude::*;
-
 use super::leaf::{Arc, FaceForm, Leaf, NO_BORDER, Rect, bends, extents, hull};
 use super::patch::{CurveTable, SurfaceTable};
 use super::tree::Hull;
 use super::trim::{Border, TrimKind, TrimTest};
 use crate::geometry::brep::Brep;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 
 /// Pieces are cut until they turn by no more than this to either side, sine.
 const TURN: f64 = 0.2;
@@ -36,8 +35,7 @@ pub(super) struct Pieces {
 
 /// The pieces of all faces, in order.
 pub(super) fn faces(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[TrimTest], diagonal_mm: f64) -> Pieces {
-    let each: Vec<Pieces> =
-        (0..brep.faces.len()).into_par_iter().map(|f| face(brep, tables, regions, f, diagonal_mm)).collect();
+    let each = parallel::map(0..brep.faces.len(), |f| face(brep, tables, regions, f, diagonal_mm));
     let mut all = Pieces::default();
     for mut one in each {
         let base = all.borders.len() as u32;

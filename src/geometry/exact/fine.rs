@@ -9,14 +9,13 @@
 //! the parameter plane; between them and the edges' own curves strips are laid. Triangles at a pole
 //! are laid as two, up to the pole's whole side.
 
-use rayon::prelude::*;
-
 use super::Exact;
 use super::measure::{OnFace, free_direction, strips};
 use crate::geometry::brep::Brep;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::tessellate::NO_CHORD;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 
 /// What the distance at the middles of the sides is multiplied by.
 const MARGIN: f64 = 4.0 / 3.0 * 1.25;
@@ -99,7 +98,7 @@ impl Exact {
             let off = off.fold(0.0, f64::max);
             (out, off)
         };
-        let all: Vec<(Vec<[Point; 3]>, f64)> = (0..mesh.triangles.len()).into_par_iter().map(of_triangle).collect();
+        let all: Vec<(Vec<[Point; 3]>, f64)> = parallel::map(0..mesh.triangles.len(), of_triangle);
         let mut fine = Fine { deflection_mm: limit_mm * NARROW, ..Fine::default() };
         for (t, (corners, off)) in all.into_iter().enumerate() {
             fine.parents.extend(std::iter::repeat_n(t as u32, corners.len()));

@@ -47,6 +47,7 @@ use super::nurbs::foot::{ParameterSpace, SurfaceFoot};
 use super::nurbs::{NurbsSurface, SurfaceDerivatives};
 use super::tessellate::Tessellation;
 use super::{Aabb, Point, Vector};
+use crate::parallel;
 use leaf::{Arc, FaceForm, Leaf};
 use measure::Loops;
 use patch::{CurveTable, SurfaceTable};
@@ -86,8 +87,7 @@ impl Exact {
     }
 
     fn cut(brep: &Brep, loops: Loops, corners: Corners) -> Self {
-        use rayon::prelude::*;
-        let tables: Vec<Option<SurfaceTable>> = brep.faces.par_iter().map(|f| SurfaceTable::new(&f.surface)).collect();
+        let tables: Vec<Option<SurfaceTable>> = parallel::map(&brep.faces, |f| SurfaceTable::new(&f.surface));
         let traces = trace::traces(brep, &loops);
         let all = brep.edges.iter().map(|e| &e.curve).chain(traces.iter().map(|t| &t.curve));
         let curves: Vec<CurveTable> = all.map(CurveTable::new).collect();

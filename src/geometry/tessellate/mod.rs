@@ -26,14 +26,13 @@ pub mod loops;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use rayon::prelude::*;
-
 use super::brep::{Brep, Face};
 use super::mesh::Mesh;
 use super::nurbs::foot::ParameterSpace;
 use super::{Point, Vector};
 use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
+use crate::parallel;
 use loops::TrimRing;
 
 /// What the tessellation aims at.
@@ -190,17 +189,13 @@ fn fill_missing(
 ) -> Result<()> {
     let total = filled.len();
     let done = AtomicUsize::new(filled.iter().flatten().count());
-    let results: Vec<Result<()>> = filled
-        .par_iter_mut()
-        .enumerate()
-        .filter(|(_, slot)| slot.is_none())
-        .map(|(f, slot)| {
-            observer.check(Stage::Model)?;
-            *slot = Some(fill::fill_face(brep, f, net, spaces[f], options)?);
-            observer.progress(Stage::Model, done.fetch_add(1, Ordering::Relaxed) + 1, total);
-            Ok(())
-        })
-        .collect();
+    let missing = filled.iter_mut().enumerate().filter(|(_, slot)| slot.is_none());
+    let results: Vec<Result<()>> = parallel::map(missing, |(f, slot)| {
+        observer.check(Stage::Model)?;
+        *slot = Some(fill::fill_face(brep, f, net, spaces[f], options)?);
+        observer.progress(Stage::Model, done.fetch_add(1, Ordering::Relaxed) + 1, total);
+        Ok(())
+    });
     results.into_iter().collect()
 }
 

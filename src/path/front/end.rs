@@ -1,13 +1,12 @@
 //! The end of the region, looked for by turns and closed.
 
-use rayon::prelude::*;
-
 use super::laying::{Laid, Rest, are_at_the_end, ramp};
 use super::neighbour::Heading;
 use super::node::{LEAST_SHARE, Node, is_ring};
 use super::overrun::Overrun;
 use super::{Front, RAMP_STEPOVERS};
 use crate::error::Result;
+use crate::parallel;
 use crate::path::curve;
 use crate::path::level::Touch;
 
@@ -100,6 +99,6 @@ impl Front<'_> {
             }
             None
         };
-        (0..n).into_par_iter().map(moved).collect()
+        parallel::map(0..n, moved).into_iter().collect()
     }
 }

@@ -7,11 +7,11 @@
 //! makes good.
 
 use nalgebra::{Matrix3, Vector3};
-use rayon::prelude::*;
 
 use super::Front;
 use super::neighbour::Heading;
 use super::node::{Node, arc_lengths};
+use crate::parallel;
 use crate::path::curve;
 use crate::path::level::Touch;
 
@@ -69,10 +69,8 @@ impl Front<'_> {
             }
             self.across.step(&from.back(), self.back * ahead_mm.min(MOST * self.flat_mm), 0.8).map(|(touch, _)| touch)
         };
-        let evened: Vec<Option<Touch>> = (1..turn.len())
-            .into_par_iter()
-            .map(|i| if turn[i].stop.is_some() { None } else { even(lead + i) })
-            .collect();
+        let evened: Vec<Option<Touch>> =
+            parallel::map(1..turn.len(), |i| if turn[i].stop.is_some() { None } else { even(lead + i) });
         for (node, touch) in turn[1..].iter_mut().zip(evened) {
             node.touch = touch.unwrap_or(node.touch);
         }

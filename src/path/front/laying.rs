@@ -1,13 +1,12 @@
 //! Turns laid one from the other, touch by touch, to either side.
 
-use rayon::prelude::*;
-
 use super::neighbour::{Heading, Next};
 use super::node::{LEAST_SHARE, Node, arc_lengths, is_ring};
 use super::overrun::Overrun;
 use super::{Front, Neighbours, RAMP_STEPOVERS};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 use crate::path::curve;
 use crate::path::level::Touch;
 
@@ -203,8 +202,7 @@ impl Front<'_> {
     fn neighbours(&self, turn: &[Node], course: &Course, is_closed: bool) -> Neighbours {
         let n = turn.len() - 1;
         let Course { along, round, shares } = course;
-        let mut next: Neighbours =
-            (0..=n).into_par_iter().map(|i| self.neighbour_of(&turn[i], round, along[i], shares[i])).collect();
+        let mut next: Neighbours = parallel::map(0..=n, |i| self.neighbour_of(&turn[i], round, along[i], shares[i]));
         next[0] = Some(turn[n]);
         if !is_closed && let Some(start) = next[1] {
             // The way on from the last touch is known only now: to the first of the new turn.

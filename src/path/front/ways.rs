@@ -1,11 +1,10 @@
 //! Ways across over facets, evened out along a turn.
 
-use rayon::prelude::*;
-
 use super::laying::Course;
 use super::neighbour::Heading;
 use super::node::{LEAST_SHARE, Node, arc_lengths};
 use super::{Front, Neighbours};
+use crate::parallel;
 
 /// Width of the bell over which ways over facets are evened out, in stepovers on flat ground.
 const EVEN_WIDTH: f64 = 0.25;
@@ -52,19 +51,16 @@ impl Front<'_> {
             let scatter = || (squares / weight - (sum / weight).powi(2)).max(0.0).sqrt();
             (weight > 0.0).then(|| (sum / weight - (EVEN_CAUTION * scatter() - FREE).max(0.0)).exp())
         };
-        (0..=n)
-            .into_par_iter()
-            .map(|i| {
-                let Some(node) = next[i].filter(|x| i > 0 && x.stop.is_none() && shares[i] >= LEAST_SHARE) else {
-                    return next[i];
-                };
-                let from = Heading { touch: turn[i].touch, along: along[i] };
-                let Some(found) = mean(i).and_then(|w| self.across.reach(&from, round, w * shares[i])) else {
-                    return Some(node);
-                };
-                let way_mm = if found.stop.is_some() { node.way_mm } else { found.way_mm / shares[i] };
-                Some(Node { touch: found.touch, way_mm, stop: found.stop })
-            })
-            .collect()
+        parallel::map(0..=n, |i| {
+            let Some(node) = next[i].filter(|x| i > 0 && x.stop.is_none() && shares[i] >= LEAST_SHARE) else {
+                return next[i];
+            };
+            let from = Heading { touch: turn[i].touch, along: along[i] };
+            let Some(found) = mean(i).and_then(|w| self.across.reach(&from, round, w * shares[i])) else {
+                return Some(node);
+            };
+            let way_mm = if found.stop.is_some() { node.way_mm } else { found.way_mm / shares[i] };
+            Some(Node { touch: found.touch, way_mm, stop: found.stop })
+        })
     }
 }

@@ -1,7 +1,5 @@
 //! Places between the heights of the grid, as many as the chord tolerance asks for.
 
-use rayon::prelude::*;
-
 use super::super::chords::tolerance_mm;
 use super::super::curve::{LevelCurve, tangents};
 use super::super::level::Touch;
@@ -11,6 +9,7 @@ use crate::error::{Result, Stage};
 use crate::geometry::triangle::closest_on_segment;
 use crate::numerics::runs::longest;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// Halvings of a stretch between two heights.
 const MOST_HALVINGS: u32 = 12;
@@ -33,7 +32,7 @@ pub(super) fn all(
         let kept = longest(&row.iter().map(Option::is_some).collect::<Vec<_>>());
         Ok(filled(sheet, &row[kept].iter().flatten().copied().collect::<Vec<_>>()))
     };
-    rows.par_iter().map(one).collect()
+    parallel::try_map(rows, one)
 }
 
 /// A row on the curve of tool 1 through its places.

@@ -1,7 +1,6 @@
 //! The first row: midway on what of the suction side has an opposite one.
 
 use nalgebra::{DMatrix, DVector};
-use rayon::prelude::*;
 
 use super::super::level::Touch;
 use super::super::ring::{self, Ring, Tracing};
@@ -13,6 +12,7 @@ use crate::error::{Result, Stage};
 use crate::geometry::Point;
 use crate::numerics::runs::longest;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// Heights at which the suction side is looked at.
 const LOOKS: usize = 24;
@@ -36,7 +36,7 @@ pub(super) fn row(sheet: &Sheet, heights_mm: &[f64], observer: &dyn Observer) ->
         // A height without a contour of the airfoil has no row.
         Ok(sheet.seed(*x_mm).ok().flatten().and_then(|seed| middle(sheet, seed, *x_mm)))
     };
-    let found: Vec<Option<Point>> = looks.par_iter().map(look).collect::<Result<_>>()?;
+    let found: Vec<Option<Point>> = parallel::try_map(&looks, look)?;
     let middles: Vec<Point> = found.into_iter().flatten().collect();
     let curve = Curve::through(&middles).ok_or_else(|| {
         no_pairs(
@@ -54,7 +54,7 @@ pub(super) fn row(sheet: &Sheet, heights_mm: &[f64], observer: &dyn Observer) ->
         let touch = sheet.levels[0].touch_in_plane(&curve.at(*x_mm), reach).ok_or(RowEnd::NoBall);
         touch.and_then(|t| sheet.stand(t))
     };
-    let all: Vec<OrEnd<Standing>> = heights_mm.par_iter().map(at).collect();
+    let all: Vec<OrEnd<Standing>> = parallel::map(heights_mm, at);
     let kept = longest(&all.iter().map(OrEnd::is_ok).collect::<Vec<_>>());
     if kept.len() < 2 {
         let (k, end) =
@@ -74,7 +74,7 @@ fn middle(sheet: &Sheet, seed: Touch, x_mm: f64) -> Option<Point> {
     let places = suction_side(sheet, &ring, x_mm);
     let every = places.len().div_ceil(PLACES).max(1);
     let places: Vec<Touch> = places.into_iter().step_by(every).collect();
-    let paired: Vec<bool> = places.par_iter().map(|t| sheet.stand(*t).is_ok()).collect();
+    let paired: Vec<bool> = parallel::map(&places, |t| sheet.stand(*t).is_ok());
     let run = longest(&paired);
     let kept = places.get(run.clone()).filter(|kept| !kept.is_empty())?;
     // Where partners end lies between two places.

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use super::sheet::{OrEnd, RowCurves, Sheet, Standing, along_row};
 use super::{MOST_ROWS, no_pairs};
 use crate::artifact::along::Along;
@@ -11,6 +9,7 @@ use crate::artifact::paired::RowEnd;
 use crate::error::{Result, Stage};
 use crate::numerics::runs::longest;
 use crate::observe::Observer;
+use crate::parallel;
 
 /// The share of the scallop that rows aim at; chords and places between heights take the rest.
 const AIM: f64 = 0.99;
@@ -58,7 +57,7 @@ pub(super) fn side_of(
             let from = last[k].as_ref()?;
             Some(next(sheet, (&last, &curves, k), from, (sign, steps_mm[k], flat_mm)))
         };
-        let found: Vec<Option<OrEnd<Next>>> = (0..last.len()).into_par_iter().map(one).collect();
+        let found: Vec<Option<OrEnd<Next>>> = parallel::map(0..last.len(), one);
         let kept = longest(&found.iter().map(|f| matches!(f, Some(Ok(_)))).collect::<Vec<_>>());
         for (k, f) in found.iter().enumerate() {
             match f {

@@ -37,6 +37,7 @@ use crate::artifact::paired::{PairPlace, RowEnd};
 use crate::artifact::{Blade, PairedRows};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::observe::Observer;
+use crate::parallel;
 use sheet::{Sheet, Standing};
 
 /// Greatest distance between two heights of the grid that rows are laid on, mm …
@@ -78,7 +79,7 @@ pub fn plan(blade: &Blade, options: &PairOptions, observer: &dyn Observer) -> Re
     let first = first::row(&sheet, &heights_mm, observer)?;
     let flat_mm = flat_stepover_mm(options.radius_mm[0].min(options.radius_mm[1]), options.settings.scallop_mm);
     let lay = |sign| lay::side_of(&sheet, &first, (sign, flat_mm), observer);
-    let (one, other) = rayon::join(|| lay(-1.0), || lay(1.0));
+    let (one, other) = parallel::both(|| lay(-1.0), || lay(1.0));
     let (one, other) = (one?, other?);
     let mut ends = one.ends;
     other.ends.into_iter().for_each(|(end, n)| *ends.entry(end).or_default() += n);

@@ -46,7 +46,7 @@ pub use report::{Audit, LineCheck, Span};
 
 use std::cell::RefCell;
 
-use rayon::prelude::*;
+use legs::{LegKind, Legs};
 
 use super::cutter::{self, SweptCutter};
 use super::deviation::{self, ToolCut};
@@ -59,9 +59,9 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::near_disc::DiscSearch;
 use crate::observe::Observer;
+use crate::parallel;
 use crate::read::program::{self, Bench, Block, Script};
 use crate::tool::Tool;
-use legs::{LegKind, Legs};
 
 /// Limits and sampling of [`audit`]. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -346,7 +346,7 @@ impl AuditScene<'_> {
         let near = legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
         let touching: Vec<bool> = if self.bench.tool.is_ball() {
             let reach = self.bench.tool.radius_mm + near;
-            self.legs.stands.par_iter().map(|s| self.part.closest(&s.centre, reach).is_some()).collect()
+            parallel::map(&self.legs.stands, |s| self.part.closest(&s.centre, reach).is_some())
         } else {
             cutter::touching(&self.part, &self.legs.stands, self.bench.tool, near)
         };

@@ -15,7 +15,6 @@
 use parry3d_f64::bounding_volume::Aabb as ParryAabb;
 use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, TraversalAction};
-use rayon::prelude::*;
 
 use super::AuditScene;
 use super::legs::NEAR_MM;
@@ -23,6 +22,7 @@ use super::scallop::{Height, Heights, LEAST_REACH_MM, REACH_STEPOVERS, between, 
 use crate::artifact::Stand;
 use crate::geometry::near_disc::DiscSearch;
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 use crate::tool::Tool;
 use crate::verify::samples::{self, Sample};
 use crate::verify::sweep::Sweep;
@@ -185,7 +185,7 @@ pub(super) fn heights(scene: &AuditScene, passes: &Sweep) -> Heights {
         Some(Height { height_mm, point: s.point, leg, gap_mm })
     };
     let all = samples::near_path(&scene.part, &way, reach, scene.options.surface_samples);
-    sorted(all.points.par_iter().filter_map(height).collect())
+    sorted(parallel::filter_map(&all.points, height))
 }
 
 /// Way of the contacts at each place from where its pass begins, or to where it ends, mm.
@@ -218,5 +218,5 @@ fn touched(scene: &AuditScene, passes: &Sweep) -> Vec<Option<(Point, f64)>> {
         };
         (k * CHUNK..((k + 1) * CHUNK).min(stands.len())).map(one).collect::<Vec<_>>()
     };
-    (0..stands.len().div_ceil(CHUNK)).into_par_iter().flat_map_iter(chunk).collect()
+    parallel::flat_map(0..stands.len().div_ceil(CHUNK), chunk)
 }

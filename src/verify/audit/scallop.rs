@@ -10,13 +10,12 @@
 //! One turn that is too wide may be a small share of the part, so the height is judged turn by turn
 //! too.
 
-use rayon::prelude::*;
-
 use super::legs::NEAR_MM;
 use super::report::{Limit, LineCheck};
 use super::{AuditScene, ridges};
 use crate::artifact::CheckId;
 use crate::geometry::Point;
+use crate::parallel;
 use crate::verify::height::{REACH_SLACK, lift};
 use crate::verify::samples::{self, Sample};
 use crate::verify::sweep::Sweep;
@@ -85,7 +84,7 @@ pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
         Some(Height { height_mm: raw.min((raw - up).max(0.0)), point: s.point, leg, gap_mm })
     };
     let all = samples::near_path(&scene.part, sweep, reach, scene.options.surface_samples);
-    sorted(all.points.par_iter().filter_map(height).collect())
+    sorted(parallel::filter_map(&all.points, height))
 }
 
 /// Heights in their order.

@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 use super::template::{TemplateLine, lines};
 use crate::artifact::program::{Control, Grammar, Language, Programmed, Ranges, WordRange};
 use crate::error::{Error, Result, Stage};
-use crate::settings::in_words;
+use crate::settings::from_toml;
 
 /// What rotary words say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -330,10 +330,9 @@ impl Dialect {
     /// # Errors
     /// Kind `Usage`: not TOML, an unknown or missing key, an unknown value in a line, or a number out of its range; with the place.
     pub fn from_toml(text: &str, origin: &str) -> Result<Self> {
-        let file: PostFile = toml::from_str(text).map_err(|e| {
-            let line = e.span().map(|s| text.get(..s.start).unwrap_or(text).matches('\n').count() + 1);
-            let place = line.map(|n| format!(" line {n}")).unwrap_or_default();
-            Error::usage(Stage::Post, format!("{origin}{place}: {}", in_words(&e)))
+        let file: PostFile = from_toml(text).map_err(|e| {
+            let place = e.line.map(|n| format!(" line {n}")).unwrap_or_default();
+            Error::usage(Stage::Post, format!("{origin}{place}: {}", e.words))
                 .advise("models/posts/siemens.toml shows every key")
         })?;
         file.validate(origin)?;

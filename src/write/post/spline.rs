@@ -13,8 +13,6 @@
 //! themselves at the breaks, with their own slopes at the ends, so that value and two derivatives
 //! meet. Halves of the curve's pieces are added until they too are as near.
 
-use rayon::prelude::*;
-
 use super::OperationRun;
 use super::moves::{Move, WordBends};
 use super::polynomial::Words;
@@ -24,6 +22,7 @@ use crate::error::{Error, Infeasible, Result, Stage};
 use crate::numerics::bounded::Factor;
 use crate::numerics::quintic::{Breaks, DEGREE, ORDER, apply};
 use crate::numerics::spline::{CubicSpline, SplineEnds};
+use crate::parallel;
 
 /// A spline is at most this far off its word at the places looked at, mm.
 const OFF_MM: f64 = 1e-4;
@@ -89,18 +88,14 @@ impl CurveRun<'_> {
     /// are too near to one another for floating-point numbers.
     fn fit(&self, breaks: &Breaks) -> Option<Vec<Vec<f64>>> {
         let columns = self.run.machine.axes().len();
-        let spans: Vec<Vec<([f64; ORDER], f64, Axes)>> = (0..breaks.spans())
-            .into_par_iter()
-            .with_min_len(64)
-            .map(|i| {
-                let [a, b] = breaks.span(i);
-                let at = |[share, weight]: [f64; 2]| {
-                    let s = a + (b - a) * share;
-                    (breaks.weights(i, s), weight * (b - a), self.words_at(s))
-                };
-                GAUSS.map(at).to_vec()
-            })
-            .collect();
+        let spans: Vec<Vec<([f64; ORDER], f64, Axes)>> = parallel::map_short(64, 0..breaks.spans(), |i| {
+            let [a, b] = breaks.span(i);
+            let at = |[share, weight]: [f64; 2]| {
+                let s = a + (b - a) * share;
+                (breaks.weights(i, s), weight * (b - a), self.words_at(s))
+            };
+            GAUSS.map(at).to_vec()
+        });
         let mut band = vec![[0.0; ORDER]; breaks.controls()];
         let mut sides = vec![vec![0.0; breaks.controls()]; columns];
         // Of what is left beside the word at the first place, so that few digits are lost.
@@ -144,7 +139,7 @@ impl CurveRun<'_> {
     fn cubic(&self, breaks: &Breaks) -> Option<CubicSpline> {
         let all = breaks.all();
         let columns = self.run.machine.axes().len();
-        let rows: Vec<Axes> = all.par_iter().with_min_len(64).map(|s| self.words_at(*s)).collect();
+        let rows: Vec<Axes> = parallel::map_short(64, all, |s| self.words_at(*s));
         let slope = |from: f64, step: f64| {
             let at: [Axes; 5] = std::array::from_fn(|j| self.words_at(from + step * j as f64));
             let of = |k: usize| {
@@ -175,7 +170,7 @@ impl CurveRun<'_> {
         let mean = (own.all()[own.spans()] - own.all()[0]) / own.spans() as f64;
         let mut breaks = own.thinned(THINNED * mean);
         let marked = |breaks: &Breaks, is_off: &(dyn Fn(usize) -> bool + Sync)| -> Vec<bool> {
-            (0..breaks.spans()).into_par_iter().with_min_len(64).map(is_off).collect()
+            parallel::map_short(64, 0..breaks.spans(), is_off)
         };
         for _ in 0..ROUNDS {
             let off = if degree == DEGREE {

@@ -9,7 +9,6 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{Unit, UnitQuaternion};
-use rayon::prelude::*;
 
 use super::given::{self, Given};
 use super::run::{self, Run};
@@ -19,6 +18,7 @@ use super::{HARDLY, words};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::{Mesh, part_of};
+use crate::parallel;
 
 /// Directions that are tried for each blade of a repeat.
 const DIRECTIONS: usize = 16;
@@ -90,7 +90,7 @@ pub fn search(mesh: &Mesh, wheel: &Wheel, faces: Option<&[bool]>) -> Result<Foun
     let datum = datum(wheel);
     let n = DIRECTIONS * wheel.blades.div_ceil(wheel.fold);
     let turned = |k: usize| about(wheel, TAU * k as f64 / (n * wheel.fold) as f64) * datum;
-    let runs: Vec<Run> = (0..n).into_par_iter().map(|k| along(&turned(k))).collect();
+    let runs: Vec<Run> = parallel::map(0..n, |k| along(&turned(k)));
     let Some(mut top) = best(runs) else { return Err(none(wheel, None)) };
     for _ in 0..ROUNDS {
         let proposed = [top.least_normal, top.stack].map(|d| along(&d));

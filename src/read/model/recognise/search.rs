@@ -14,7 +14,6 @@
 //! ([`caps::end_to_end`]), and where a part stands in its rotor ([`rotor`]).
 
 use nalgebra::Matrix3;
-use rayon::prelude::*;
 
 use super::caps::{self, AirfoilEnds, FlatPatch};
 use super::run::{self, Run};
@@ -23,6 +22,7 @@ use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::{Mesh, edge_uses};
 use crate::observe::Remark;
+use crate::parallel;
 use crate::read::model::faces::Stacking;
 
 /// A datum direction within this angle of the best one is taken without further ado, degrees …
@@ -167,7 +167,7 @@ fn run_along(mesh: &Mesh, d: &Vector, faces: Option<&[bool]>, patches: &[FlatPat
 fn tried(mesh: &Mesh, patches: &[FlatPatch], along: impl Fn(&Vector) -> Run + Sync) -> Vec<Run> {
     let mut directions = candidates(mesh);
     directions.extend(caps::directions(patches));
-    let mut runs: Vec<Run> = directions.par_iter().map(&along).collect();
+    let mut runs: Vec<Run> = parallel::map(&directions, &along);
     let mut from = 0;
     for _ in 0..ROUNDS {
         let least = PROPOSES * runs.iter().map(|r| r.score).fold(0.0, f64::max);
@@ -182,7 +182,7 @@ fn tried(mesh: &Mesh, patches: &[FlatPatch], along: impl Fn(&Vector) -> Run + Sy
             }
         }
         from = runs.len();
-        runs.extend(next.par_iter().map(&along).collect::<Vec<_>>());
+        runs.extend(parallel::map(&next, &along));
     }
     runs
 }

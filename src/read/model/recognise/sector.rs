@@ -8,14 +8,13 @@
 
 use std::f64::consts::TAU;
 
-use rayon::prelude::*;
-
 use super::rotor;
 use super::turned::{self, about};
 use super::wheel::Wheel;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::{Mesh, spread};
 use crate::geometry::{Point, Rigid, Vector};
+use crate::parallel;
 
 /// Numbers of blades that are tried.
 const BLADES: std::ops::RangeInclusive<usize> = 3..=200;
@@ -51,7 +50,7 @@ pub fn sector(mesh: &Mesh) -> Option<Wheel> {
         let turn = turn(blades);
         (places.iter().filter(|p| meets(p, &turn)).count(), blades)
     };
-    let mut counts: Vec<(usize, usize)> = BLADES.into_par_iter().map(count).collect();
+    let mut counts: Vec<(usize, usize)> = parallel::map(BLADES, count);
     counts.sort_unstable_by(|a, b| b.cmp(a));
     let [(most, blades), (second, _)] = [*counts.first()?, *counts.get(1)?];
     if (most as f64) < SHARE * all as f64 || (most as f64) < TIMES * second as f64 {

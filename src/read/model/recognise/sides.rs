@@ -1,10 +1,9 @@
 //! Leading and trailing edge of the airfoil that was found, by sections all along it.
 
-use rayon::prelude::*;
-
 use crate::geometry::part::Part;
 use crate::geometry::profile::outline::outlines;
 use crate::geometry::profile::{Outline, Profile, SectionEnds, Sides, TOLERANCE_MM};
+use crate::parallel;
 
 /// Sections that say it: a blade that twists by a right angle turns by some degrees from one to the
 /// next.
@@ -22,7 +21,7 @@ pub fn sides(part: &Part, [lo, hi]: [f64; 2], boxes: &[(f64, [f64; 4])]) -> Opti
         })?;
         Some((x_mm, Profile::of(airfoil, TOLERANCE_MM).ends()))
     };
-    let sections: Vec<(f64, SectionEnds)> = (0..SECTIONS).into_par_iter().filter_map(|k| ends(height(k))).collect();
+    let sections: Vec<(f64, SectionEnds)> = parallel::filter_map(0..SECTIONS, |k| ends(height(k)));
     Sides::along(&sections)
 }
 

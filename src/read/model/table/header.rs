@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::files;
-use crate::settings::in_words;
+use crate::settings::from_toml;
 
 /// What a job or design file never has at its top.
 #[derive(Debug, serde::Deserialize)]
@@ -121,10 +121,9 @@ pub fn parse(text: &str, name: &str) -> Result<Header> {
     let bad = |m: String| {
         Error::io(Stage::Model, format!("{name}: {m}")).advise("the README shows headers of section tables")
     };
-    let file: HeaderFile = toml::from_str(text).map_err(|e| {
-        let line = e.span().map(|s| text.get(..s.start).unwrap_or(text).matches('\n').count() + 1);
-        let place = line.map(|l| format!("line {l}: ")).unwrap_or_default();
-        bad(format!("{place}{}", in_words(&e)))
+    let file: HeaderFile = from_toml(text).map_err(|e| {
+        let place = e.line.map(|l| format!("line {l}: ")).unwrap_or_default();
+        bad(format!("{place}{}", e.words))
     })?;
     let h = file.sections;
     let positive = |key: &str, x: Option<f64>| match x {

@@ -4,8 +4,6 @@
 //! mean chord length as parameter; neighbouring surfaces share the control points of their common
 //! boundary bit by bit (*The NURBS Book*, 9.2, global interpolation).
 
-use rayon::prelude::*;
-
 use super::grid::{Grid, by_number, by_shape, pieces};
 use super::outline::TableOutline;
 use crate::geometry::Point;
@@ -13,6 +11,7 @@ use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::fit::surface_through_rows;
 use crate::geometry::nurbs::foot::ParameterSpace;
 use crate::observe::Remark;
+use crate::parallel;
 
 /// Samples of a section are made denser until the points of the table are this near, as a share of
 /// the tolerance.
@@ -174,7 +173,7 @@ impl Loft {
             let column = |j: usize| if p.aligned { Some(j) } else { None };
             p.points.iter().enumerate().map(|(j, q)| self.distance(q, p.row, p.v, column(j), &spaces)).collect()
         };
-        let found: Vec<Vec<f64>> = probes.par_iter().map(one).collect();
+        let found: Vec<Vec<f64>> = parallel::map(probes, one);
         let (mut out, mut sum, mut count) = (FitError::default(), 0.0, 0usize);
         for (i, row) in found.iter().enumerate() {
             for (j, &d) in row.iter().enumerate() {
