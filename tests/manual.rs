@@ -132,6 +132,7 @@ sessions! {
     installing_runs_as_printed: "docs/install.md";
     machines_run_as_printed: "docs/machines.md";
     models_run_as_printed: "docs/models.md";
+    pinching_runs_as_printed: "docs/pinch.md";
     planning_runs_as_printed: "docs/planning.md";
     programs_run_as_printed: "docs/programs.md";
     rescheduling_runs_as_printed: "docs/rescheduling.md";

@@ -11,28 +11,30 @@ use bladewright::artifact::{PairedRows, Stand};
 use bladewright::job::JobFile;
 use bladewright::observe::Silent;
 use bladewright::plan::Setup;
-use bladewright::plan::pinch::Pinch;
+use bladewright::plan::pinch::{Pinch, PinchProgrammed};
 use bladewright::run::Loaded;
 use bladewright::run::inputs;
 use bladewright::verify::{self, PinchWork};
 
 const MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step");
+const TWO_HEADS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/models/machines/pinch_9x.toml");
 const KEYS: [&str; 3] = ["tool.radius_mm=2", "path.scallop_mm=0.1", "pinch.heights_mm=[6, 34]"];
+
+fn plan_for(more: &[&str]) -> (Setup, Pinch) {
+    let mut job = JobFile::from_model(Path::new(MODEL));
+    KEYS.iter().chain(more).for_each(|key| job.set(key).expect("a key"));
+    let draft = inputs::draft(job, Path::new("")).expect("a draft");
+    let setup = Loaded::read(&draft, &Silent).expect("a blade").setup;
+    let pinch = setup.pinch(&Silent).expect("rows");
+    (setup, pinch)
+}
 
 fn planned() -> &'static (Setup, Pinch) {
     static PLANNED: OnceLock<(Setup, Pinch)> = OnceLock::new();
     PLANNED.get_or_init(|| {
         // On a thread of its own, since a thread of the pool that waits for the lock may take it up
         // again.
-        let plan = || {
-            let mut job = JobFile::from_model(Path::new(MODEL));
-            KEYS.iter().for_each(|key| job.set(key).expect("a key"));
-            let draft = inputs::draft(job, Path::new("")).expect("a draft");
-            let setup = Loaded::read(&draft, &Silent).expect("a blade").setup;
-            let pinch = setup.pinch(&Silent).expect("rows");
-            (setup, pinch)
-        };
-        std::thread::scope(|s| s.spawn(plan).join().expect("planned"))
+        std::thread::scope(|s| s.spawn(|| plan_for(&[])).join().expect("planned"))
     })
 }
 
@@ -113,22 +115,10 @@ fn free_angles_are_those_at_which_tools_stand_clear() {
 fn faults(change: impl FnOnce(&mut PairedRows, &mut Vec<(std::ops::Range<usize>, f64)>, &mut f64)) -> Vec<CheckId> {
     let (setup, pinch) = planned();
     let mut rows = pinch.rows.clone();
-    let mut held: Vec<_> = pinch.held.iter().map(|h| (h.places.clone(), h.theta_rad)).collect();
+    let mut held = pinch.stretches();
     let mut between_rad = std::f64::consts::PI;
     change(&mut rows, &mut held, &mut between_rad);
-    let asked = setup.pinch_settings();
-    let work = PinchWork {
-        blade: &setup.blade,
-        obstacles: &[],
-        tools: [&setup.job.tool; 2],
-        cones: setup.pinch_cones(),
-        between_rad,
-        rows: &rows,
-        held: &held,
-        tools_apart_mm: asked.tools_apart_mm,
-        line_distance_mm: asked.line_distance_mm,
-        max_angle_rad: asked.max_angle_deg.to_radians(),
-    };
+    let work = PinchWork { between_rad, rows: &rows, ..setup.pinch_work(pinch, &held) };
     let (checks, _) = verify::check_pinch(&work, &setup.verify_options());
     checks.into_iter().filter(|c| !c.passed).map(|c| c.id).collect()
 }
@@ -167,6 +157,135 @@ fn planted_faults_are_found_and_nothing_else_is() {
     assert!(turned.contains(&CheckId::Clearance), "{turned:?}");
     let same_side = faults(|_, _, between| *between = 0.3);
     assert!(same_side.contains(&CheckId::ToolsApart) && same_side.contains(&CheckId::Clearance), "{same_side:?}");
+}
+
+/// The same rows on a machine with two heads.
+fn programmed() -> &'static (Setup, Pinch, PinchProgrammed) {
+    static PROGRAMMED: OnceLock<(Setup, Pinch, PinchProgrammed)> = OnceLock::new();
+    PROGRAMMED.get_or_init(|| {
+        let plan = || {
+            let (setup, pinch) = plan_for(&[&format!("machine.file={:?}", TWO_HEADS)]);
+            let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
+            (setup, pinch, programmed)
+        };
+        std::thread::scope(|s| s.spawn(plan).join().expect("programmed"))
+    })
+}
+
+/// What is found wrong with the program after a change of its text.
+fn program_faults(change: impl FnOnce(&str) -> String) -> Vec<CheckId> {
+    let (setup, pinch, programmed) = programmed();
+    let held = pinch.stretches();
+    let work = setup.pinch_work(pinch, &held);
+    let over = (programmed.motion.turning_mm, programmed.motion.cutting_s);
+    let text = change(&programmed.text);
+    let checks = verify::check_pinch_program(&text, &work, &setup.machine, over, &setup.verify_options());
+    checks.into_iter().filter(|c| !c.passed).map(|c| c.id).collect()
+}
+
+/// The number of a word of a line.
+fn word(line: &str, letter: char) -> f64 {
+    let word = line.split(' ').find(|w| w.starts_with(letter)).expect("the word");
+    word[1..].parse().expect("a number")
+}
+
+#[test]
+fn a_program_has_nine_letters_and_one_clock() {
+    let (setup, pinch, programmed) = programmed();
+    let failed: Vec<&Check> = pinch.checks.iter().chain(&programmed.checks).filter(|c| !c.passed).collect();
+    assert!(failed.is_empty(), "{failed:?}");
+    let (mut cuts, mut table, mut rows, mut seconds) = (0, None, 0, 0.0);
+    let mut last: Option<&str> = None;
+    for line in programmed.text.lines() {
+        if line.starts_with("; Row") {
+            (table, last, rows) = (None, None, rows + 1);
+        }
+        if !line.starts_with("G1 ") {
+            continue;
+        }
+        for letter in "XYZABUVWCF".chars() {
+            word(line, letter);
+        }
+        // The table and both leans stand still from the way down to the way up.
+        let still = [word(line, 'A'), word(line, 'B'), word(line, 'C')];
+        assert!(table.is_none_or(|t| t == still), "{line}");
+        table = Some(still);
+        if let Some(before) = last {
+            let dt = 60.0 / word(line, 'F');
+            for letter in "XYZUVW".chars() {
+                let speed = (word(line, letter) - word(before, letter)).abs() / dt;
+                assert!(speed < 500.1, "{letter} goes {speed} mm/s in {line}");
+            }
+            seconds += dt;
+        }
+        last = Some(line);
+        cuts += 1;
+    }
+    // A way down and a way up besides the places of each stretch.
+    let places: usize = pinch.held.iter().map(|h| h.places.len()).sum();
+    assert_eq!((cuts, rows), (places + 2 * pinch.held.len(), pinch.held.len()));
+    assert!(seconds > programmed.motion.cutting_s);
+    // Neither tool goes faster than the feed: the longer side takes that long at least.
+    let longest = pinch.rows.length_mm(0).max(pinch.rows.length_mm(1));
+    assert!(programmed.motion.cutting_s > 60.0 * longest / setup.job.feed.feed_mm_min);
+    let alone: f64 = programmed.motion.alone_s.iter().sum();
+    assert!(programmed.motion.cutting_s < 0.56 * alone, "{} s, {alone} s alone", programmed.motion.cutting_s);
+    for row in programmed.motion.stretches.iter().flat_map(|s| s.motion.jerk.iter()) {
+        for (axis, jerk) in setup.machine.axes().iter().zip(row) {
+            assert!(jerk.abs() <= axis.limits.jerk * (1.0 + 1e-6), "{}", axis.name);
+        }
+    }
+}
+
+#[test]
+fn faults_planted_in_a_program_are_found() {
+    assert_eq!(program_faults(str::to_owned), []);
+    let exchanged = |text: &str, a: char, b: char| {
+        let word = |w: &str| match w.chars().next() {
+            Some(c) if c == a => w.replacen(a, &b.to_string(), 1),
+            Some(c) if c == b => w.replacen(b, &a.to_string(), 1),
+            _ => w.to_owned(),
+        };
+        let line = |l: &str| match l.starts_with(';') {
+            true => l.to_owned(),
+            false => l.split(' ').map(word).collect::<Vec<_>>().join(" "),
+        };
+        text.lines().map(line).collect::<Vec<_>>().join("\n")
+    };
+    assert!(program_faults(|t| exchanged(t, 'X', 'U')).contains(&CheckId::ProgramMissing));
+    assert!(program_faults(|t| exchanged(t, 'Y', 'V')).contains(&CheckId::ProgramMissing));
+    // The second head leans to the other side.
+    let other_lean = program_faults(|t| t.replace(" C5", " C-5"));
+    assert!(other_lean.contains(&CheckId::ProgramMissing), "{other_lean:?}");
+    // 0.01 mm off, and a hundredth of a degree.
+    let third = |t: &str, change: &dyn Fn(&str) -> String| {
+        let at = t.match_indices("\nG1 ").nth(40).expect("a line").0 + 1;
+        let end = at + t[at..].find('\n').expect("its end");
+        [&t[..at], &change(&t[at..end]), &t[end..]].concat()
+    };
+    let moved = |line: &str, letter: char, by: f64| {
+        let w = line.split(' ').find(|w| w.starts_with(letter)).expect("the word");
+        line.replacen(w, &format!("{letter}{:.5}", word(line, letter) + by), 1)
+    };
+    assert_eq!(program_faults(|t| third(t, &|l| moved(l, 'V', 0.01))), [CheckId::ProgramCentre]);
+    let turned = program_faults(|t| third(t, &|l| moved(l, 'B', 0.01)));
+    assert!(turned.contains(&CheckId::ProgramDirection), "{turned:?}");
+    // A line too few, one too many, one too slow.
+    assert!(program_faults(|t| third(t, &|_| String::new())).contains(&CheckId::ProgramMissing));
+    assert!(
+        program_faults(|t| third(t, &|l| format!("{l}\n{}", moved(l, 'X', 3.0)))).contains(&CheckId::ProgramMissing)
+    );
+    assert_eq!(program_faults(|t| third(t, &|l| moved(l, 'F', -0.9 * word(l, 'F')))), [CheckId::ProgramTime]);
+    // A rapid through the blade, a word that no such program has, travel.
+    let low = program_faults(|t| {
+        let at = t.match_indices("\nG0 X").nth(4).expect("a rapid").0 + 1;
+        let end = at + t[at..].find('\n').expect("its end");
+        [&t[..at], &moved(&t[at..end], 'W', 60.0), &t[end..]].concat()
+    });
+    assert!(low.contains(&CheckId::ProgramRapids), "{low:?}");
+    assert_eq!(program_faults(|t| t.replacen("G64", "G41 D1 G64", 1)), [CheckId::ProgramReadable]);
+    let far = program_faults(|t| third(t, &|l| format!("{}\n{l}", moved(l, 'Z', 900.0))));
+    assert!(far.contains(&CheckId::ProgramTravel), "{far:?}");
 }
 
 fn command(arguments: &[&str], out: &Path) -> Output {

@@ -15,11 +15,11 @@ LIB = ":".join(
 )
 ENV = dict(os.environ, LD_LIBRARY_PATH=LIB)
 LONGEST = 256
-LETTERS = "XYZABC"
+LETTERS = "XYZABCUVW"
 
 
 def posted(path):
-    """Motions as the text has them: (line, rapid, X Y Z A B C, F of this line under G93 or None)."""
+    """Motions as the text has them: (line, rapid, X Y Z A B C U V W, F of this line under G93 or None)."""
     at, rapid, inverse, out = dict.fromkeys(LETTERS, 0.0), True, False, []
     for number, line in enumerate(open(path), 1):
         if len(line.rstrip("\n")) > LONGEST:
@@ -47,7 +47,7 @@ def posted(path):
 
 
 def command(path):
-    """Motions as rs274 tells them: (rapid, X Y Z A B C, feed rate in force)."""
+    """Motions as rs274 tells them: (rapid, X Y Z A B C, and U V W where it tells them; feed rate in force)."""
     with tempfile.TemporaryDirectory() as d:
         # Its tool table is in inches whatever the program says; offsets would persist in the variables, so they are fresh.
         open(d + "/tool.tbl", "w").write("T1 P1 Z4.0 D0.25\nT2 P2 Z4.0 D0.25\n")
@@ -62,7 +62,7 @@ def command(path):
         if name == "SET_FEED_RATE":
             rate = float(inner)
         elif name in ("STRAIGHT_FEED", "STRAIGHT_TRAVERSE"):
-            out.append((name == "STRAIGHT_TRAVERSE", tuple(float(v) for v in inner.split(",")[:6]), rate))
+            out.append((name == "STRAIGHT_TRAVERSE", tuple(float(v) for v in inner.split(",")[:9]), rate))
     return out
 
 
@@ -72,18 +72,19 @@ class Canon:
     parameter_file = sys.argv[2]
     rows = []
     def __getattr__(self, name): return lambda *a: None
-    def straight_feed(self, *a): self.rows.append(a[:6])
-    def straight_traverse(self, *a): self.rows.append(a[:6])
+    def straight_feed(self, *a): self.rows.append(a[:9])
+    def straight_traverse(self, *a): self.rows.append(a[:9])
     def check_abort(self): return False
     def get_external_length_units(self): return 1.0
     def get_external_angular_units(self): return 1.0
-    def get_axis_mask(self): return 0x3f
+    def get_axis_mask(self): return 0x1ff
     def get_block_delete(self): return False
     def get_tool(self, pocket): return (1,) + (0.0,) * 12 + (0,)
 c = Canon()
 result, line = gcode.parse(sys.argv[1], c, "G21 G40 G49 G80 G90 G94 G54", "")
 if result > gcode.MIN_ERROR: sys.exit(gcode.strerror(result))
-json.dump([[v * 25.4 for v in r[:3]] + list(r[3:6]) for r in c.rows], sys.stdout)
+mm = lambda values: [v * 25.4 for v in values]
+json.dump([mm(r[:3]) + list(r[3:6]) + mm(r[6:9]) for r in c.rows], sys.stdout)
 """
 
 
@@ -117,7 +118,8 @@ def main():
             if rapid != was_rapid or off > 0.000051:
                 raise SystemExit(f"{path}: line {line}: {at} is posted, rs274 goes to {got}")
             if f is not None:
-                way = math.dist(at[:3], before[2][:3]) or math.dist(at[3:], before[2][3:])
+                # Of X Y Z; where these stand still of U V W, else of the rotary axes.
+                way = math.dist(at[:3], before[2][:3]) or math.dist(at[6:], before[2][6:]) or math.dist(at[3:6], before[2][3:6])
                 off = abs(rate - f * way)
                 worst_feed = max(worst_feed, off / rate)
                 if off > 0.0002 + 1e-6 * rate:

@@ -63,7 +63,7 @@ pub struct PinchProgrammed {
 
 impl Pinch {
     /// The places of each stretch and the angle that the table stands at, rad.
-    fn stretches(&self) -> Vec<(Range<usize>, f64)> {
+    pub fn stretches(&self) -> Vec<(Range<usize>, f64)> {
         self.held.iter().map(|h| (h.places.clone(), h.theta_rad)).collect()
     }
 
@@ -189,7 +189,7 @@ impl Setup {
     }
 
     /// What the checks look at.
-    fn pinch_work<'a>(&'a self, pinch: &'a Pinch, held: &'a [(Range<usize>, f64)]) -> PinchWork<'a> {
+    pub fn pinch_work<'a>(&'a self, pinch: &'a Pinch, held: &'a [(Range<usize>, f64)]) -> PinchWork<'a> {
         let asked = self.pinch_settings();
         PinchWork {
             blade: &self.blade,
