@@ -274,12 +274,12 @@ impl MachineFile {
                 return bad(origin, format!("the chain has axis {} twice", name.letter()));
             }
         }
+        if self.chain.iter().any(|n| AxisName::SECOND.contains(n)) {
+            return bad(origin, "U, V and W are axes of the second head: they belong in second.chain".into());
+        }
         let count = |linear: bool| self.chain.iter().filter(|n| n.linear().is_some() == linear).count();
         if !(2..=3).contains(&count(true)) || !(1..=2).contains(&count(false)) {
             return bad(origin, "a chain has X, Y, Z, or two of them, and one or two of A, B, C".into());
-        }
-        if self.chain.iter().any(|n| AxisName::SECOND.contains(n)) {
-            return bad(origin, "U, V and W are axes of the second head: they belong in second.chain".into());
         }
         let in_second = |name: &AxisName| self.second.as_ref().is_some_and(|s| s.chain.contains(name));
         for name in AxisName::LINEAR.into_iter().chain(AxisName::SECOND).chain(AxisName::ROTARY) {

@@ -315,7 +315,8 @@ fn travels(lines: &[Line], machine: &Machine) -> Check {
     )
 }
 
-/// Velocity, acceleration and jerk of all axes at the places of all stretches, against their limits.
+/// Velocity, acceleration and jerk of all axes at the places of all stretches, against their
+/// limits.
 pub fn check_pinch_motion(motion: &PinchMotion, machine: &Machine) -> Vec<Check> {
     let kinds = [AxisCheck::Velocity, AxisCheck::Acceleration, AxisCheck::Jerk];
     let mut checks = Vec::new();
