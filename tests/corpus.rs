@@ -564,3 +564,48 @@ fn corpus_table_of_one_profile() {
     let (_dir, path) = header(text);
     assert!(read(&path, None).diagnosis.closed);
 }
+
+/// Two tools hold blades between them: the table stands still, the binding side is as high as asked
+/// for, and it takes half the time of one tool.
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_two_tools_hold_blades() {
+    let short = is_short();
+    let scallop_mm = if short { 0.15 } else { 0.05 };
+    for (file, radius_mm, least_share) in [
+        ("turbine_blade_firtree.igs", 6.0, 0.75),
+        ("rotor37/rotor37_DERIVED_loft_mm.step", 4.0, 0.65),
+        ("tblade3_case7288/case7288_rotor_hubwedge.step", 4.0, 0.6),
+        ("fan_sections/fan_DERIVED_loft.step", 1.0, 0.45),
+    ] {
+        // Its faces make it slow.
+        if short && file.ends_with(".igs") {
+            continue;
+        }
+        let dir = tempfile::tempdir().expect("a folder");
+        let machine = concat!(env!("CARGO_MANIFEST_DIR"), "/models/machines/pinch_9x.toml");
+        let keys = [
+            format!("machine.file={machine:?}"),
+            format!("tool.radius_mm={radius_mm}"),
+            format!("path.scallop_mm={scallop_mm}"),
+        ];
+        let mut command = Command::new(env!("CARGO_BIN_EXE_bladewright"));
+        command.args(["--quiet", "pinch"]).arg(blades().join(file)).arg("-o").arg(dir.path());
+        keys.iter().for_each(|key| {
+            command.args(["--set", key]);
+        });
+        let out = command.output().expect("it runs");
+        assert!(out.status.success(), "{file}: {}", String::from_utf8_lossy(&out.stdout));
+        let text = std::fs::read(dir.path().join("pinch.json")).expect("figures");
+        let f: serde_json::Value = serde_json::from_slice(&text).expect("JSON");
+        let number = |at: &str| f.pointer(at).and_then(serde_json::Value::as_f64).expect("a number");
+        assert_eq!(f["still_rows"], f["rows"], "{file}");
+        let share = number("/covered/0") + number("/covered/1");
+        assert!(share >= least_share, "{file}: {share}");
+        assert!(number("/measured/line_distance_mm/1") <= 0.05, "{file}");
+        let greatest = |k: usize| (0..2).map(|j| number(&format!("/measured/ridges_mm/{j}/{k}"))).fold(0.0, f64::max);
+        assert!((0.93..1.03).contains(&(greatest(2) / scallop_mm)) && greatest(4) < 1.5 * scallop_mm, "{file}");
+        let alone = number("/program/alone_s/0") + number("/program/alone_s/1");
+        assert!(number("/program/cutting_s") <= 0.56 * alone, "{file}");
+    }
+}

@@ -94,6 +94,9 @@ pub fn pinch_program(p: &PinchProgram) -> String {
         axes[p.machine.turning_axis()].name
     ));
     line(&format!("; Cutting {:.1} s, without the ways from row to row.", p.motion.cutting_s));
+    line(
+        "; Relies on [KINS] trivkins with these letters, [TRAJ] SPINDLES = 2, and limits of the rotary axes that reach over all turns.",
+    );
     line("G17 G21 G40 G49 G80 G90 G94");
     line("G54");
     line(&format!("G64 P{}", p.settings.smoothing_mm.unwrap_or(0.001)));
