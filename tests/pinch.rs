@@ -177,9 +177,9 @@ fn program_faults(change: impl FnOnce(&str) -> String) -> Vec<CheckId> {
     let (setup, pinch, programmed) = programmed();
     let held = pinch.stretches();
     let work = setup.pinch_work(pinch, &held);
-    let over = (programmed.motion.turning_mm, programmed.motion.cutting_s);
     let text = change(&programmed.text);
-    let checks = verify::check_pinch_program(&text, &work, &setup.machine, over, &setup.verify_options());
+    let checks =
+        verify::check_pinch_program(&text, &work, &setup.machine, programmed.motion.cutting_s, &setup.verify_options());
     checks.into_iter().filter(|c| !c.passed).map(|c| c.id).collect()
 }
 

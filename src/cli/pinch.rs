@@ -32,6 +32,8 @@ fn study(args: &args::Pinch, observer: &dyn Observer) -> Result<u8> {
     let figures = files::figures(&setup, &pinch, programmed.as_ref());
     folder.add_json("pinch.json", &figures)?;
     folder.add("pinch.svg", files::plot(&setup, &pinch))?;
+    let motion = programmed.as_ref().map(|p| &p.motion);
+    folder.add("pinch.glb", files::scene(&setup, &pinch, motion)?)?;
     print(&pinch, &figures);
     let mut passed = pinch.checks.iter().all(|c| c.passed);
     if let Some(programmed) = &programmed {

@@ -452,4 +452,4 @@ fn damaged_programs_never_panic() {
 }
 
 /// Damaged programs of each kind.
-const DAMAGED: usize = 40;
+const DAMAGED: usize = 24;

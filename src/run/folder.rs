@@ -33,7 +33,7 @@ const RUN: [&str; 14] = [
 ];
 
 /// Files of `compare`, `channel` and `pinch`, which look at a job without planning it to the end.
-const STUDIES: [&str; 15] = [
+const STUDIES: [&str; 17] = [
     "compare.json",
     "compare.csv",
     "compare.svg",
@@ -49,6 +49,8 @@ const STUDIES: [&str; 15] = [
     "pinch.json",
     "pinch_axes.csv",
     "pinch.svg",
+    "pinch.ngc",
+    "pinch.glb",
 ];
 
 /// Our programs name us in one of their first lines.

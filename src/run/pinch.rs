@@ -2,14 +2,21 @@
 
 use std::fmt::Write;
 
-use crate::artifact::PairedRows;
-use crate::artifact::paired::PinchMotion;
+use crate::artifact::paired::{PairPlace, PinchMotion};
 use crate::artifact::region::Area;
 use crate::artifact::report::Check;
+use crate::artifact::{PairedRows, Stand};
+use crate::error::Result;
 use crate::plan::Setup;
 use crate::plan::pinch::{Pinch, PinchProgrammed};
 use crate::verify::PinchFigures;
 use crate::write::draw::{HeldAngles, held_svg};
+use crate::write::preview::{self, PinchKey, PinchScene};
+
+/// Keys of the animation, about.
+const MOST_KEYS: usize = 6000;
+/// A way down, up or across takes so long in the animation, s.
+const LINK_S: f64 = 1.0;
 
 /// Rows for two tools in figures: `pinch.json`. Lengths in mm, angles in degrees.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -242,6 +249,69 @@ fn locations(setup: &Setup, pinch: &Pinch, tool: usize) -> String {
         );
     }
     out
+}
+
+/// The part, the rows and both tools in motion as the bytes of a `.glb` file. Ways from row to row
+/// are those of the machine's two heads, else straight up and down again, and take a second each.
+///
+/// # Errors
+/// Those of the scene.
+pub fn scene(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>) -> Result<Vec<u8>> {
+    let cones = setup.pinch_cones();
+    let rows = [0, 1].map(|j| {
+        let over = |p: &PairPlace| p.contacts[j].contact + p.contacts[j].normal * (0.004 * pinch.rows.radius_mm[j]);
+        pinch.rows.rows.iter().map(|row| pinch.rows.places[row.clone()].iter().map(over).collect()).collect()
+    });
+    let usual_mm = 4.0 * setup.job.tool.radius_mm;
+    let every = pinch.rows.places.len().div_ceil(MOST_KEYS).max(1);
+    let (mut keys, mut t_s) = (Vec::new(), 0.0);
+    for (n, held) in pinch.held.iter().enumerate() {
+        let own = motion.and_then(|m| m.stretches.get(n));
+        let stand = |k: usize, lifts_mm: [f64; 2]| {
+            [0, 1].map(|j| {
+                let theta = held.theta_rad + if j == 0 { 0.0 } else { pinch.between_rad };
+                let centre = pinch.rows.places[k].contacts[j].centre;
+                Stand { centre, cone: cones[j], theta }.lifted(lifts_mm[j])
+            })
+        };
+        let lifts_mm = own.map_or([[usual_mm; 2]; 2], |m| m.lifts_mm);
+        let last = held.places.end - 1;
+        keys.push(PinchKey { t_s, stands: stand(held.places.start, lifts_mm[0]) });
+        t_s += LINK_S;
+        let begin_s = t_s;
+        for (i, k) in held.places.clone().enumerate().filter(|(i, k)| i % every == 0 || *k == last) {
+            // By the machine's motion, else by the feed along the first tool's row.
+            t_s = match own.and_then(|m| Some(m.motion.t_s.get(i)? - m.motion.t_s.first()?)) {
+                Some(s) => begin_s + s,
+                None => begin_s + way_mm(&pinch.rows.places[held.places.start..=k]) * 60.0 / setup.job.feed.feed_mm_min,
+            };
+            keys.push(PinchKey { t_s, stands: stand(k, [0.0; 2]) });
+        }
+        t_s += LINK_S;
+        keys.push(PinchKey { t_s, stands: stand(last, lifts_mm[1]) });
+        t_s += LINK_S;
+    }
+    let mesh = &setup.blade.part.mesh;
+    let airfoil = setup.blade.regions.first(Area::Airfoil);
+    let area = |t: u32| match airfoil.is_some_and(|r| r.patch.has(mesh, t)) {
+        true => Area::Airfoil,
+        false => Area::Other,
+    };
+    let areas: Vec<Area> = (0..mesh.triangles.len() as u32).map(area).collect();
+    preview::pinch(&PinchScene {
+        name: &setup.blade.name,
+        mesh,
+        areas: &areas,
+        model_from_blade: &setup.blade.model_from_blade,
+        tools: [&setup.job.tool; 2],
+        rows,
+        keys: &keys,
+    })
+}
+
+/// Length of the first tool's way over places, mm.
+fn way_mm(places: &[PairPlace]) -> f64 {
+    places.windows(2).map(|w| (w[1].contacts[0].centre - w[0].contacts[0].centre).norm()).sum()
 }
 
 /// What of the table's turn is free along the rows, and where it stands: SVG.

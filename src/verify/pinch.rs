@@ -262,7 +262,7 @@ fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Ch
             for (b, b_next) in here[1].iter().zip(&next[1]) {
                 // A direction along which the pieces are apart at both ends of a move tells so much
                 // all the way, since both go straight and evenly.
-                let along = [a.towards(b), a_next.towards(b_next)].into_iter().flatten();
+                let along = [a.towards(b), a_next.towards(b_next), a.between(b)].into_iter().flatten();
                 let apart = along.map(|d| a.gap_mm(b, &d).min(a_next.gap_mm(b_next, &d)));
                 least = least.min(apart.fold(f64::NEG_INFINITY, f64::max));
             }
@@ -318,10 +318,15 @@ impl Solid {
         self.farthest(&-along).coords.dot(along) - other.farthest(along).coords.dot(along)
     }
 
+    /// The direction from the middle of another to that of this one.
+    fn between(&self, other: &Solid) -> Option<Vector> {
+        (self.middle() - other.middle()).try_normalize(1e-9)
+    }
+
     /// The direction from another to this one along which both are farthest apart; `None` where
     /// they meet.
     fn towards(&self, other: &Solid) -> Option<Vector> {
-        let start = (self.middle() - other.middle()).try_normalize(1e-9)?;
+        let start = self.between(other)?;
         let mut simplex = VoronoiSimplex::new();
         let still = Pose::default();
         simplex.reset(CsoPoint::from_shapes(&still, self, other, ParryVector::new(-start.x, -start.y, -start.z)));

@@ -14,6 +14,7 @@ use crate::artifact::paired::PinchMotion;
 use crate::artifact::report::Check;
 use crate::artifact::{Axes, AxisCheck, CheckId, Stand};
 use crate::geometry::allowance::Allowed;
+use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
 use crate::numerics::angle::nearest_turn;
@@ -91,13 +92,12 @@ fn read(text: &str, machine: &Machine) -> Result<Vec<Line>, (usize, String)> {
     Ok(out)
 }
 
-/// Judges the text of a program of two tools: `turning_mm` is what tools stay over from stretch to
-/// stretch, `cutting_s` the time that its stretches should take.
+/// Judges the text of a program of two tools; `cutting_s`: the time that its stretches should take.
 pub fn check_pinch_program(
     text: &str,
     work: &PinchWork,
     machine: &Machine,
-    (turning_mm, cutting_s): (f64, f64),
+    cutting_s: f64,
     options: &VerifyOptions,
 ) -> Vec<Check> {
     let lines = match read(text, machine) {
@@ -118,7 +118,7 @@ pub fn check_pinch_program(
         .collect();
     let found = matched(work, &lines, &poses);
     let mut checks = found.checks(&lines, cutting_s);
-    checks.push(rapids(work, &lines, &poses, turning_mm));
+    checks.push(rapids(work, &lines, &poses, turning_mm(work, machine)));
     checks.push(travels(&lines, machine));
     checks.extend(ways(work, &poses, &found, options));
     checks
@@ -263,6 +263,16 @@ fn height_mm(tool: &Tool, pose: &Pose) -> f64 {
     let segments = tool.segments();
     let ends = segments.iter().flat_map(|s| [(s.z0, s.r0), (s.z1, s.r1)]);
     ends.map(|(z, r)| at + z * rise - r * across).fold(at - tool.radius_mm, f64::min)
+}
+
+/// The height over the blade axis, mm, beyond which nothing is that turns with the table: the
+/// greatest distance of a point of the part and what stands about it from the table's axis, and
+/// that of the blade axis.
+fn turning_mm(work: &PinchWork, machine: &Machine) -> f64 {
+    let off = |p: &Point| machine.off_table_axis_mm(p).unwrap_or(f64::INFINITY);
+    let parts = std::iter::once(&work.blade.part).chain(work.obstacles.iter().map(|o| &o.part));
+    let farthest = |part: &Part| part.mesh.points.iter().map(off).fold(0.0, f64::max) + part.deflection_mm;
+    parts.map(farthest).fold(0.0, f64::max) + off(&Point::origin())
 }
 
 /// In rapids both tools stay over what the part turns in: axes that go straight keep a tool over a

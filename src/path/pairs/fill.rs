@@ -90,7 +90,7 @@ impl Filling<'_> {
             return (way(1) <= JUMP * way(0).max(SHORTEST_MM)).then_some(());
         }
         let mid = 0.5 * (from + to);
-        let at = self.curve.between(k, mid).and_then(|t| self.sheet.stand(t).ok())?;
+        let at = self.curve.between(k, mid).and_then(|t| self.sheet.beside(a, t).ok())?;
         let splits = (0..2).any(|j| {
             let (l, r) = (&a.touches[j], &b.touches[j]);
             let off = (at.touches[j].centre - closest_on_segment(&l.centre, &r.centre, &at.touches[j].centre)).norm();

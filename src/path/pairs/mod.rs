@@ -46,6 +46,8 @@ const GRID_MM: f64 = 2.0;
 const GRID_SHARE: f64 = 0.25;
 /// Heights of that grid at least.
 const LEAST_HEIGHTS: usize = 24;
+/// ... and at most.
+const MOST_HEIGHTS: usize = 20_000;
 /// More rows than this is a mistake in the options.
 const MOST_ROWS: usize = 20_000;
 
@@ -73,7 +75,7 @@ pub fn plan(blade: &Blade, options: &PairOptions, observer: &dyn Observer) -> Re
     let [low, high] = heights(blade, options)?;
     let sheet = Sheet::of(blade, options)?;
     let grid_mm = GRID_MM.min(GRID_SHARE * options.radius_mm[0].min(options.radius_mm[1]));
-    let count = (((high - low) / grid_mm).ceil() as usize).max(LEAST_HEIGHTS);
+    let count = (((high - low) / grid_mm).ceil() as usize).clamp(LEAST_HEIGHTS, MOST_HEIGHTS);
     // From the top down, as rows are run.
     let heights_mm: Vec<f64> = (0..=count).map(|k| high + (low - high) * k as f64 / count as f64).collect();
     let first = first::row(&sheet, &heights_mm, observer)?;

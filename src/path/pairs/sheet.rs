@@ -23,6 +23,8 @@ const ROOM: f64 = 0.01;
 /// Beside such a crease the ball inside may hold so much of the wall, as a share of its radius: as
 /// where two faces meet at 8°.
 const CREASED: f64 = 0.01;
+/// From place to place the ball inside grows by less than this.
+const LARGER: f64 = 2.0;
 /// Both balls stay so much farther apart than the tools are asked to, mm.
 const APART_MM: f64 = 0.01;
 /// Heights of the row before, on each side, among which its nearest place is looked for.
@@ -123,6 +125,11 @@ impl<'a> Sheet<'a> {
 
     /// Both balls where the first touches.
     pub fn stand(&self, first: Touch) -> OrEnd<Standing> {
+        self.stand_near(first, self.within_mm)
+    }
+
+    /// The same where the ball inside is probably smaller than this, mm: the search begins there.
+    fn stand_near(&self, first: Touch, within_mm: f64) -> OrEnd<Standing> {
         if !self.is_airfoil(first.face) {
             return Err(RowEnd::Elsewhere);
         }
@@ -130,7 +137,9 @@ impl<'a> Sheet<'a> {
         let stock_mm = self.options.settings.stock_mm;
         let place = Place { point: first.contact - first.normal * stock_mm, normal: first.normal };
         let is_opposite = |pair: &Pair| pair.angle_rad() <= self.options.max_angle_rad;
-        let exact = partner(part, place, self.within_mm);
+        // A ball that holds nothing is as large as the search began with.
+        let near = (within_mm < self.within_mm).then(|| partner(part, place, within_mm)).flatten();
+        let exact = near.or_else(|| partner(part, place, self.within_mm));
         // Beside a crease the ball touches the next face of the same wall first.
         let creased = || partner_across_creases(part, place, self.within_mm, CREASED).filter(is_opposite);
         let none = if exact.is_some() { RowEnd::Angle } else { RowEnd::NoPartner };
@@ -150,6 +159,11 @@ impl<'a> Sheet<'a> {
         Ok(Standing { touches: [first, second], pair })
     }
 
+    /// Both balls where the first touches, beside a place.
+    pub fn beside(&self, from: &Standing, first: Touch) -> OrEnd<Standing> {
+        self.stand_near(first, LARGER * from.pair.radius_mm)
+    }
+
     /// Both balls at a step across from a place, at the height of its first ball. The step goes
     /// counter-clockwise seen from the tip where it is positive, mm.
     pub fn across(&self, from: &Standing, step_mm: f64) -> OrEnd<Standing> {
@@ -157,7 +171,7 @@ impl<'a> Sheet<'a> {
         let tangent = from.touches[0].tangent(&Along::BLADE);
         let reach = step_mm.abs() + 0.02 * level.radius_mm;
         let touch = level.touch_in_plane(&(from.touches[0].centre + tangent * step_mm), reach);
-        let next = self.stand(touch.ok_or(RowEnd::NoBall)?)?;
+        let next = self.beside(from, touch.ok_or(RowEnd::NoBall)?)?;
         // On one sheet the partner goes about as far as the place itself.
         let gone = |a: &Place, b: &Place| (b.point - a.point).norm();
         let own = gone(&from.pair.first, &next.pair.first).max(0.02 * level.radius_mm);

@@ -6,7 +6,7 @@
 //! tool 2's turned back by the angle between the heads, and what both have; an angle for each row
 //! ([`pair::hold`]); checks that use none of these ([`verify::check_pinch`]).
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
 use super::Setup;
@@ -153,6 +153,7 @@ impl Setup {
         let held = timed(observer, Stage::Schedule, || {
             pair::hold(&rows.rows, &common, hold, clear).map_err(|k| closed(&rows, &own, &both, k))
         })?;
+        let held = within_turns(held, self.theta_limits());
         let (checks, figures) = (Vec::new(), PinchFigures::default());
         let mut pinch = Pinch { rows, cut_off, own, common, held, between_rad, checks, figures };
         let stretches = pinch.stretches();
@@ -182,9 +183,8 @@ impl Setup {
         let mut checks = verify::check_pinch_motion(&motion, &self.machine);
         let stretches = pinch.stretches();
         let work = self.pinch_work(pinch, &stretches);
-        let over = (motion.turning_mm, motion.cutting_s);
         let options = self.verify_options();
-        checks.extend(verify::check_pinch_program(&text, &work, &self.machine, over, &options));
+        checks.extend(verify::check_pinch_program(&text, &work, &self.machine, motion.cutting_s, &options));
         Ok(Some(PinchProgrammed { motion, text, checks }))
     }
 
@@ -239,6 +239,13 @@ impl Setup {
         let found = channel::intervals(&self.surroundings()?, tool, &path, &options, observer)?;
         Ok(found.iter().map(|free| FreeAngles::of(free.iter().map(|f| [f.theta_min, f.theta_max]))).collect())
     }
+}
+
+/// The same angles on turns within the limits of the table, rad, where it has some.
+fn within_turns(held: Vec<Held>, limits_rad: Option<[f64; 2]>) -> Vec<Held> {
+    let Some([least, _]) = limits_rad else { return held };
+    let turned = |h: Held| Held { theta_rad: least + (h.theta_rad - least).rem_euclid(TAU), ..h };
+    held.into_iter().map(turned).collect()
 }
 
 /// No row has two places.

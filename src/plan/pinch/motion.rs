@@ -35,11 +35,11 @@ pub fn motion(setup: &Setup, pinch: &Pinch, observer: &dyn Observer) -> Result<O
     }
     let leans = setup.pinch_cones().map(|c| c.lean_rad);
     let gauges = [setup.job.tool.length_mm(); 2];
-    let part = &setup.blade.part;
     let off_table = |p: &Point| machine.off_table_axis_mm(p).unwrap_or(p.y.hypot(p.z));
-    let farthest = part.mesh.points.iter().map(off_table).fold(0.0, f64::max);
+    let bodies = std::iter::once(&setup.blade.part).chain(setup.obstacles.iter().map(|o| &o.part));
+    let farthest = bodies.map(|b| b.mesh.points.iter().map(off_table).fold(0.0, f64::max) + b.deflection_mm);
     // Heights of tools are over the blade axis, which may lie beside the table's.
-    let turning_mm = farthest + part.deflection_mm + off_table(&Point::origin());
+    let turning_mm = farthest.fold(0.0, f64::max) + off_table(&Point::origin());
     let options = setup.feed_options();
     let feed_mm_s = setup.job.feed.feed_mm_min / 60.0;
     let mut stretches = Vec::with_capacity(pinch.held.len());

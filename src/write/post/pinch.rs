@@ -11,7 +11,7 @@ use crate::artifact::paired::PinchMotion;
 use crate::machine::Machine;
 
 /// Name of the file.
-pub const FILE: &str = "program.ngc";
+pub const FILE: &str = "pinch.ngc";
 
 /// Decimals of positions, mm and degrees.
 const DECIMALS: usize = 5;

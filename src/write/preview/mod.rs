@@ -8,5 +8,5 @@ pub mod report;
 mod thin;
 pub mod values;
 
-pub use gltf::{GltfOptions, Scene, deviation, gltf, regions};
+pub use gltf::{GltfOptions, PinchKey, PinchScene, Scene, deviation, gltf, pinch, regions};
 pub use report::ReportInput;

@@ -38,6 +38,7 @@ mod machine;
 mod marks;
 mod motion;
 mod path;
+mod pinch;
 mod revolved;
 mod tool;
 mod uncut;
@@ -55,6 +56,7 @@ use crate::machine::Machine;
 use crate::tool::Tool;
 pub use deviation::deviation;
 use glb::Glb;
+pub use pinch::{PinchKey, PinchScene, pinch};
 
 /// How large the file may be and how it is played.
 #[derive(Clone, Debug, PartialEq)]

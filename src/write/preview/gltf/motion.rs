@@ -31,14 +31,14 @@ fn evenly(n: usize, count: usize) -> Vec<usize> {
 
 /// Places of a node over time, translations and rotations `(x, y, z, w)`.
 #[derive(Default)]
-struct Track {
+pub(super) struct Track {
     at: Vec<[f32; 3]>,
     turned: Vec<[f32; 4]>,
     last: Option<nalgebra::Quaternion<f64>>,
 }
 
 impl Track {
-    fn push(&mut self, place: &Rigid) -> Result<()> {
+    pub(super) fn push(&mut self, place: &Rigid) -> Result<()> {
         let mut q = *place.rotation.quaternion();
         // Both signs are the same rotation; the one near the key before is interpolated the short
         // way.
@@ -49,6 +49,11 @@ impl Track {
         self.at.push(triple(&place.translation.vector)?);
         self.turned.push([single(q.i)?, single(q.j)?, single(q.k)?, single(q.w)?]);
         Ok(())
+    }
+
+    /// The first place.
+    pub(super) fn first(&self) -> Option<([f32; 3], [f32; 4])> {
+        Some((*self.at.first()?, *self.turned.first()?))
     }
 }
 
@@ -142,9 +147,9 @@ pub(super) fn animations(
 }
 
 /// A node that moves, its key times, its places.
-type MovedNode = (Index<Node>, Index<Accessor>, Track);
+pub(super) type MovedNode = (Index<Node>, Index<Accessor>, Track);
 
-fn animation(glb: &mut Glb, tracks: &[MovedNode], name: String, note: &serde_json::Value) -> Animation {
+pub(super) fn animation(glb: &mut Glb, tracks: &[MovedNode], name: String, note: &serde_json::Value) -> Animation {
     let (mut channels, mut samplers) = (Vec::new(), Vec::new());
     for (node, input, track) in tracks {
         for (path, output) in

@@ -21,11 +21,7 @@ const BALL: u32 = 16;
 /// begins.
 pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<Node>> {
     let tool = scene.tool;
-    let mut children = Vec::new();
-    for (name, rings) in &parts(tool) {
-        let shown = revolved(glb, name, look(name), rings)?;
-        children.push(mesh_node(glb, name, vec![shown], json!({ "part_of": "tool" })));
-    }
+    let mut children = part_nodes(glb, tool)?;
     children.push(super::machine::head(glb, plan, scene)?);
     let note = if tool.is_ball() {
         json!({
@@ -46,6 +42,22 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
         glb.place(node, at, [single(q.i)?, single(q.j)?, single(q.k)?, single(q.w)?]);
     }
     Ok(node)
+}
+
+/// A tool without a machine's head, in no place yet.
+pub(super) fn alone(glb: &mut Glb, tool: &Tool, name: &str) -> Result<Index<Node>> {
+    let children = part_nodes(glb, tool)?;
+    Ok(super::group(glb, name, children, &json!({ "origin": "ball centre", "z": "towards the spindle" })))
+}
+
+/// A node for each part of a tool.
+fn part_nodes(glb: &mut Glb, tool: &Tool) -> Result<Vec<Index<Node>>> {
+    let mut out = Vec::new();
+    for (name, rings) in &parts(tool) {
+        let shown = revolved(glb, name, look(name), rings)?;
+        out.push(mesh_node(glb, name, vec![shown], json!({ "part_of": "tool" })));
+    }
+    Ok(out)
 }
 
 /// Ball or corner, taper, shank and holder stages as rings.
