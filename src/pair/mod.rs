@@ -24,3 +24,43 @@ pub use apart::{Apart, Both};
 pub use hold::{Held, HoldOptions, hold};
 pub use settings::{PinchKeys, PinchSettings};
 pub use share::{HOLDS_DEG, Share, share};
+
+#[cfg(test)]
+mod tests {
+    use crate::artifact::Cone;
+    use crate::geometry::Vector;
+
+    /// Equation 4 of Song, Zhu, Xue, Feng and Lu (Materials 17, 2024, 2977) as printed: the axis of
+    /// a head that swings by γ, its projection `b` at the angle η from the machine's z. It turns
+    /// `b` about the fixed y.
+    fn as_printed(gamma: f64, eta: f64) -> Vector {
+        let b = Vector::new(0.0, eta.sin(), eta.cos());
+        Vector::new(gamma.sin() * b.z, b.y, gamma.cos() * b.z)
+    }
+
+    #[test]
+    fn the_published_tool_axis_is_right_in_the_machines_own_frame_only() {
+        for gamma_deg in [5.0, 20.0] {
+            for eta_deg in [0.0, 15.0, 45.0, 90.0, 130.0] {
+                let [gamma, eta] = [gamma_deg, eta_deg].map(f64::to_radians);
+                // θ is counted from y, η from z.
+                let ours = Cone::about_blade(gamma).tool_axis(std::f64::consts::FRAC_PI_2 - eta);
+                let b = Vector::new(0.0, eta.sin(), eta.cos());
+                let projected = Vector::new(0.0, ours.y, ours.z);
+                assert!((ours.norm() - 1.0).abs() < 1e-14 && projected.cross(&b).norm() < 1e-14);
+                assert!((ours.x.asin() - gamma).abs() < 1e-14);
+                let printed = as_printed(gamma, eta);
+                let (s, c) = gamma.sin_cos();
+                let cosine = s * s * eta.cos() + c * (eta.sin().powi(2) + c * eta.cos().powi(2));
+                assert!((printed.dot(&ours) - cosine).abs() < 1e-14);
+                assert!(eta_deg != 0.0 || (printed - ours).norm() < 1e-14);
+            }
+        }
+        let off_deg = |gamma: f64, eta: f64| {
+            let ours = Cone::about_blade(gamma.to_radians()).tool_axis((90.0 - eta).to_radians());
+            ours.angle(&as_printed(gamma.to_radians(), eta.to_radians())).to_degrees()
+        };
+        assert!((off_deg(20.0, 45.0) - 6.24).abs() < 0.01, "{}", off_deg(20.0, 45.0));
+        assert!((off_deg(20.0, 90.0) - 20.0).abs() < 1e-6);
+    }
+}

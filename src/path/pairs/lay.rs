@@ -80,6 +80,10 @@ pub(super) fn side_of(
                 out.greatest_mm[j] = out.greatest_mm[j].max(next.ridges_mm[j]);
             }
         }
+        // Both sides are laid at the same time: one of them tells how far it is.
+        if sign > 0.0 {
+            observer.progress(Stage::Path, row.iter().filter(|at| at.is_none()).count(), row.len());
+        }
         out.rows.push(row.clone());
         last = row;
     }
