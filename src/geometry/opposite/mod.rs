@@ -101,11 +101,12 @@ pub fn partner_across_creases(part: &Part, first: Place, within_mm: f64, held_sh
     let mut radius_mm = within_mm;
     let mut last = None;
     for _ in 0..STEPS {
-        let near = part.closest(&centre(radius_mm), f64::INFINITY)?;
+        // Nothing is nearer than the first place: of two places as near, which is dear to tell, no
+        // one is asked for.
+        let Some(near) = part.closest(&centre(radius_mm), radius_mm * (1.0 - SAME.max(held_share))) else { break };
         let arm = first.point - near.point;
         let off = first.normal.dot(&arm);
-        // Nothing is nearer than the first place.
-        if near.distance_mm >= radius_mm * (1.0 - SAME.max(held_share)) || arm.norm() < ONE_PLACE * radius_mm {
+        if arm.norm() < ONE_PLACE * radius_mm {
             break;
         }
         if !(off > 0.0) {
@@ -135,7 +136,7 @@ pub fn partner_across_creases(part: &Part, first: Place, within_mm: f64, held_sh
     }
     let radius_mm = arm.norm_squared() / (2.0 * off);
     let centre = centre(radius_mm);
-    let held = part.closest(&centre, f64::INFINITY)?.distance_mm < radius_mm * (1.0 - held_share) - HELD_MM;
+    let held = part.closest(&centre, radius_mm * (1.0 - held_share) - HELD_MM).is_some();
     let inside = part.inside(&centre);
     let place = Place { point: second.point, normal: second.normal };
     (inside && !held).then_some(Pair {

@@ -35,6 +35,13 @@ pub(super) fn all(
     parallel::try_map(rows, one)
 }
 
+/// Whether the second ball goes on from place to place: where the sheet branches, the opposite
+/// place jumps, and with it that ball.
+fn is_one_way(a: &Standing, b: &Standing) -> bool {
+    let way = |j: usize| (b.touches[j].centre - a.touches[j].centre).norm();
+    way(1) <= JUMP * way(0).max(SHORTEST_MM)
+}
+
 /// A row on the curve of tool 1 through its places.
 struct Filling<'a> {
     sheet: &'a Sheet<'a>,
@@ -85,9 +92,7 @@ impl Filling<'_> {
         out: &mut Vec<Standing>,
     ) -> Option<()> {
         if depth >= MOST_HALVINGS {
-            // Where the sheet branches the opposite place jumps, and with it the second ball.
-            let way = |j: usize| (b.touches[j].centre - a.touches[j].centre).norm();
-            return (way(1) <= JUMP * way(0).max(SHORTEST_MM)).then_some(());
+            return is_one_way(a, b).then_some(());
         }
         let mid = 0.5 * (from + to);
         let at = self.curve.between(k, mid).and_then(|t| self.sheet.beside(a, t).ok())?;
@@ -100,8 +105,9 @@ impl Filling<'_> {
         if splits {
             self.between(k, [from, mid], [a, &at], depth + 1, out)?;
             out.push(at);
-            self.between(k, [mid, to], [&at, b], depth + 1, out)?;
+            return self.between(k, [mid, to], [&at, b], depth + 1, out);
         }
-        Some(())
+        // The middle may lie on a chord over a jump, at one of its ends.
+        is_one_way(a, b).then_some(())
     }
 }

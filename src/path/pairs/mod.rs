@@ -132,7 +132,7 @@ fn heights(blade: &Blade, options: &PairOptions) -> Result<[f64; 2]> {
     let [low, high] = options.heights_mm.unwrap_or([foot, top]);
     if !(low < high && low >= foot - 1e-6 && high <= top + 1e-6) {
         let m = format!(
-            "rows are to run between heights {low:.3} and {high:.3} mm; the airfoil lies between {foot:.3} and {top:.3} mm"
+            "rows are to run between heights {low:?} and {high:?} mm; the airfoil lies between {foot:.3} and {top:.3} mm"
         );
         return Err(Error::usage(Stage::Path, m).advise("give pinch.heights_mm within the airfoil, the lower first"));
     }

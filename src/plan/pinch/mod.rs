@@ -2,7 +2,7 @@
 //! one at which it stands still for each row.
 //!
 //! **In** a [`Setup`]; both tools are its tool. **Out** [`Pinch`], judged. **Method** Rows
-//! ([`path::pairs`]); the free angles of each tool at all their places ([`channel::intervals`]),
+//! ([`pairs`]); the free angles of each tool at all their places ([`channel::intervals`]),
 //! tool 2's turned back by the angle between the heads, and what both have; an angle for each row
 //! ([`pair::hold`]); checks that use none of these ([`verify::check_pinch`]).
 
