@@ -12,6 +12,9 @@ use crate::run::{Loaded, RunFolder, pinch as files};
 use crate::write::post;
 use serde_json::json;
 
+/// Single ridges over the scallop by this factor are told.
+const HIGH: f64 = 1.5;
+
 /// Runs the verb; the exit code.
 pub fn run(args: &args::Pinch, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
@@ -78,6 +81,13 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     for (k, [p05, p50, p95, p99, most]) in f.measured.ridges_mm.iter().enumerate() {
         let name = format!("ridges of tool {}, 5 % to 95 %", k + 1);
         row(&name, format!("{p05:.4} to {p95:.4} mm (median {p50:.4}, 99 % {p99:.4}, greatest {most:.4})"));
+    }
+    let highest = f.measured.ridges_mm.iter().map(|r| r[4]).fold(0.0, f64::max);
+    if highest > HIGH * pinch.rows.scallop_mm {
+        let text = format!(
+            "a ridge of {highest:.4} mm is over {HIGH} times the scallop, at an end of a row: the check `ridge` says where"
+        );
+        row("WARNING", text);
     }
     let [median, p99, most] = f.measured.line_distance_mm;
     row("normal lines pass within", format!("{median:.4} mm (99 % {p99:.4}, greatest {most:.4})"));

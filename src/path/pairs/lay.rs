@@ -15,6 +15,15 @@ use crate::parallel;
 const AIM: f64 = 0.99;
 /// A ridge within this share of the aim is near enough.
 const NEAR_ENOUGH: f64 = 0.003;
+/// Where the ridge between two heights is over the aim by more than this factor, the row is drawn
+/// in there …
+const OVER: f64 = 1.02;
+/// … so many times at most …
+const DRAWINGS: usize = 6;
+/// … and each time to no less than this share of the step.
+const LEAST_SHARE: f64 = 0.7;
+/// A row over fewer heights is left to the edge beside it.
+const LEAST_ROW: usize = 4;
 /// Trials of a step.
 const TRIALS: usize = 12;
 /// A row within this share of the flat stepover of the row before is not worth running.
@@ -29,11 +38,10 @@ pub(super) struct Laid {
     pub greatest_mm: [f64; 2],
 }
 
-/// A place of the next row, with the step that led to it and the ridges that it leaves, mm.
+/// A place of the next row, and the step that led to it, mm.
 struct Next {
     at: Standing,
     step_mm: f64,
-    ridges_mm: [f64; 2],
 }
 
 /// The rows from the first on, counter-clockwise seen from the tip where the sign is positive,
@@ -48,6 +56,7 @@ pub(super) fn side_of(
     observer: &dyn Observer,
 ) -> Result<Laid> {
     let mut out = Laid { rows: Vec::new(), ends: BTreeMap::new(), greatest_mm: [0.0; 2] };
+    let aim_mm = AIM * sheet.options.settings.scallop_mm;
     let mut last = first.to_vec();
     let mut steps_mm = vec![flat_mm; last.len()];
     while out.rows.len() < MOST_ROWS {
@@ -63,21 +72,46 @@ pub(super) fn side_of(
             match f {
                 Some(Err(end)) => *out.ends.entry(*end).or_default() += 1,
                 // Beside a gap, or alone.
-                Some(Ok(_)) if !kept.contains(&k) || kept.len() < 2 => {
+                Some(Ok(_)) if !kept.contains(&k) || kept.len() < LEAST_ROW => {
                     *out.ends.entry(RowEnd::NoPartner).or_default() += 1;
                 }
                 _ => {}
             }
         }
-        if kept.len() < 2 {
+        if kept.len() < LEAST_ROW {
             return Ok(out);
         }
         let mut row = vec![None; last.len()];
         for (k, f) in found.into_iter().enumerate().filter(|(k, _)| kept.contains(k)) {
             let Some(Ok(next)) = f else { continue };
             (row[k], steps_mm[k]) = (Some(next.at), next.step_mm);
+        }
+        for _ in 0..DRAWINGS {
+            let curves = [&curves, &RowCurves::of(&row)];
+            let between = parallel::map(kept.start..kept.end - 1, |k| sheet.ridge_between_mm(curves, k));
+            let mut shares = vec![1.0f64; last.len()];
+            for (k, ridge_mm) in (kept.start..).zip(&between).filter(|(_, ridge_mm)| **ridge_mm > OVER * aim_mm) {
+                // Each ridge grows about as the square of the step.
+                let share = (aim_mm / ridge_mm).sqrt().max(LEAST_SHARE);
+                shares[k..=k + 1].iter_mut().for_each(|s| *s = s.min(share));
+            }
+            let drawn = |k: usize| {
+                let step_mm = steps_mm[k] * shares[k];
+                Some((k, step_mm, sheet.across(last[k].as_ref()?, sign * step_mm).ok()?))
+            };
+            let drawn = parallel::filter_map(kept.clone().filter(|k| shares[*k] < 1.0), drawn);
+            if drawn.is_empty() {
+                break;
+            }
+            for (k, step_mm, at) in drawn {
+                (row[k], steps_mm[k]) = (Some(at), step_mm);
+            }
+        }
+        for k in kept.clone() {
+            let Some(at) = &row[k] else { continue };
+            let ridges_mm = sheet.ridges_mm(&curves, k, at);
             for j in 0..2 {
-                out.greatest_mm[j] = out.greatest_mm[j].max(next.ridges_mm[j]);
+                out.greatest_mm[j] = out.greatest_mm[j].max(ridges_mm[j]);
             }
         }
         // Both sides are laid at the same time: one of them tells how far it is.
@@ -112,7 +146,7 @@ fn next(
         let ridges_mm = sheet.ridges_mm(curves, k, &at);
         let ridge_mm = ridges_mm[0].max(ridges_mm[1]);
         if ridge_mm <= aim_mm * (1.0 + NEAR_ENOUGH) && step_mm >= low {
-            best = Some(Next { at, step_mm, ridges_mm });
+            best = Some(Next { at, step_mm });
         }
         if (ridge_mm / aim_mm - 1.0).abs() <= NEAR_ENOUGH {
             break;

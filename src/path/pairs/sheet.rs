@@ -191,6 +191,17 @@ impl<'a> Sheet<'a> {
         })
     }
 
+    /// The higher of the ridges that both tools leave between a row and the next, midway from the
+    /// height `k` to the one below it, mm.
+    pub fn ridge_between_mm(&self, [before, after]: [&RowCurves; 2], k: usize) -> f64 {
+        let of = |j: usize| {
+            let level = &self.levels[j];
+            let here = level.touch(after.middle(k, j)?, 0.1 * level.radius_mm)?.centre;
+            ridge_height(level, &before.nearest(k, j, &here)?, &here)
+        };
+        (0..2).map(|j| of(j).unwrap_or(0.0)).fold(0.0, f64::max)
+    }
+
     /// The first row has no place at a height.
     pub fn lost(&self, end: RowEnd, x_mm: f64) -> Error {
         Error::infeasible(
@@ -234,6 +245,11 @@ impl RowCurves {
             out
         });
         RowCurves { first, pieces }
+    }
+
+    /// The middle of a tool's curve between the heights `k` and `k + 1`.
+    fn middle(&self, k: usize, tool: usize) -> Option<&Point> {
+        self.pieces[tool].get(PIECES * k.checked_sub(self.first)? + PIECES / 2)
     }
 
     /// The nearest place of a tool's curve to a centre at the height `k`.
