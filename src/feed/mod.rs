@@ -64,6 +64,7 @@ use crate::artifact::toolpath::CHORD_MM;
 use crate::artifact::{Axes, AxisMotion, AxisRows, Cone, ProgrammedCurve, Schedule, Toolpath, motion};
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
+use crate::numerics::spline::CubicSpline;
 use crate::observe::{Doubt, Observer, Warning};
 use crate::parallel;
 use crate::settings::with_settings;
@@ -205,11 +206,7 @@ pub fn plan_at(
     options: &FeedOptions,
     observer: &dyn Observer,
 ) -> Result<AxisMotion> {
-    if speeds_mm_s.len() + 1 != path.locations.len() || speeds_mm_s.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
-        return Err(Error::usage(Stage::Feed, "each interval between locations needs a speed over 0"));
-    }
-    let most_mm_min = 60.0 * speeds_mm_s.iter().fold(0.0f64, |m, v| m.max(*v));
-    let options = FeedOptions { limit_contact: false, ..options.with(|s| s.feed_mm_min = most_mm_min) };
+    let options = FeedOptions { limit_contact: false, ..at_speeds(path.locations.len(), speeds_mm_s, options)? };
     let (curve, _) = axis_curve(path, schedule, None, machine, &options)?;
     let mut squares = caps::of_path(path, schedule, &options);
     squares.iter_mut().zip(speeds_mm_s).for_each(|(cap, speed)| *cap = cap.min(speed * speed));
@@ -230,18 +227,28 @@ pub fn plan_positions(
     options: &FeedOptions,
     observer: &dyn Observer,
 ) -> Result<AxisMotion> {
-    if speeds_mm_s.len() + 1 != s_mm.len() || speeds_mm_s.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
-        return Err(Error::usage(Stage::Feed, "each interval between places needs a speed over 0"));
-    }
-    let most_mm_min = 60.0 * speeds_mm_s.iter().fold(0.0f64, |m, v| m.max(*v));
-    let options = options.with(|s| s.feed_mm_min = most_mm_min);
+    let options = at_speeds(s_mm.len(), speeds_mm_s, options)?;
     options.validate()?;
-    let spline = motion::smooth(s_mm, positions).map_err(|e| {
-        Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
-            .advise("places must have rising arc lengths and finite coordinates")
-    })?;
+    let spline = spline_over(s_mm, positions)?;
     let squares: Vec<f64> = speeds_mm_s.iter().map(|v| v * v).collect();
     fastest(&spline.into(), &squares.into(), machine, &options, observer).map(|(motion, _)| motion)
+}
+
+/// Options with the greatest of the speeds of all intervals between so many locations as the feed.
+fn at_speeds(locations: usize, speeds_mm_s: &[f64], options: &FeedOptions) -> Result<FeedOptions> {
+    if speeds_mm_s.len() + 1 != locations || speeds_mm_s.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
+        return Err(Error::usage(Stage::Feed, "each interval between locations needs a speed over 0"));
+    }
+    let most_mm_min = 60.0 * speeds_mm_s.iter().fold(0.0f64, |m, v| m.max(*v));
+    Ok(options.with(|s| s.feed_mm_min = most_mm_min))
+}
+
+/// The axes over arc length.
+fn spline_over(s_mm: &[f64], rows: &AxisRows) -> Result<CubicSpline> {
+    motion::smooth(s_mm, rows).map_err(|e| {
+        Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
+            .advise("locations must have rising arc lengths and finite coordinates")
+    })
 }
 
 /// The fastest motion along a curve, its speed in each interval capped, and within jerk
@@ -318,10 +325,7 @@ fn axis_curve(
         return Err(Error::usage(Stage::Feed, format!("B is {deg} deg, it must be between -90 and 90")));
     }
     let rows = machine.along(path.stands(&schedule.theta), options.gauge_length_mm);
-    let spline = motion::smooth(&s, &rows).map_err(|e| {
-        Error::usage(Stage::Feed, format!("the axes' positions are no function of arc length: {e}"))
-            .advise("locations must have rising arc lengths and finite coordinates")
-    })?;
+    let spline = spline_over(&s, &rows)?;
     let Some(curve) = on else { return Ok((spline.into(), Vec::new())) };
     let programmed = Programmed { curve, path, schedule, machine, gauge_length_mm: options.gauge_length_mm };
     let rates = programmed.rates();

@@ -130,7 +130,9 @@ impl MachineFile {
             false => carried(&self.chain, letter),
         };
         let axes: Option<Vec<Axis>> = self.letters().map(|n| self.axis(n, carries(n), sense_key)).collect();
-        let (Some(axes), Some(mount), Some(spindle)) = (axes, self.blade_on_machine(), self.spindle()) else {
+        let (Some(axes), Some(mount), Some(spindle)) =
+            (axes, self.blade_on_machine(), placed(self.spindle.unwrap_or_default()))
+        else {
             return no_direction();
         };
         let column = |letter: &AxisName| axes.iter().position(|a| a.letter == *letter);
@@ -144,9 +146,8 @@ impl MachineFile {
         let mut heads = vec![head];
         if let Some(second) = &self.second {
             let links: Vec<usize> = second.chain.iter().filter_map(column).collect();
-            let spindle = Unit::try_new(Vector::from(second.spindle.direction), 1e-9);
-            let spindle = spindle.map(|direction| (Point::from(second.spindle.gauge_mm), direction));
-            let Some(head) = spindle.and_then(|s| Head::new(&axes, &links, s, mount)) else { return no_direction() };
+            let head = placed(second.spindle).and_then(|s| Head::new(&axes, &links, s, mount));
+            let Some(head) = head else { return no_direction() };
             if !head.spans_space() {
                 return bad(origin, "U, V and W do not reach all places: their directions lie in a plane".into());
             }
@@ -161,13 +162,6 @@ impl MachineFile {
         let along = Vector::from(self.mount.along.unwrap_or([1.0, 0.0, 0.0])).try_normalize(1e-9)?;
         let clamped = UnitQuaternion::from_axis_angle(&Vector::x_axis(), self.mount.clamping_deg.to_radians());
         Some(Rigid::from_parts(Vector::from(self.mount.offset_mm).into(), brought(&along) * clamped))
-    }
-
-    /// The gauge point and the tool axis while all axes read 0; `None`: the tool axis is no
-    /// direction.
-    fn spindle(&self) -> Option<(Point, Unit<Vector>)> {
-        let Spindle { gauge_mm, direction } = self.spindle.unwrap_or_default();
-        Some((Point::from(gauge_mm), Unit::try_new(Vector::from(direction), 1e-9)?))
     }
 
     fn numbers(&self, origin: &str) -> Result<()> {
@@ -316,6 +310,12 @@ impl MachineFile {
         }
         Ok(())
     }
+}
+
+/// The gauge point and the tool axis of a spindle while all axes read 0; `None`: the tool axis is
+/// no direction.
+fn placed(Spindle { gauge_mm, direction }: Spindle) -> Option<(Point, Unit<Vector>)> {
+    Some((Point::from(gauge_mm), Unit::try_new(Vector::from(direction), 1e-9)?))
 }
 
 /// What an axis of a chain carries: rotary axes with a linear one between them and the tool carry

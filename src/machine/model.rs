@@ -53,11 +53,7 @@ impl Machine {
     /// Column of the linear axis that leads the tool away from the part: the one nearest to the
     /// tool axis while all axes read 0; and its sense, 1 or -1.
     pub fn retract_axis(&self) -> (usize, f64) {
-        let along = |k: &usize| self.axes[*k].direction.dot(self.heads[0].tool());
-        let there = self.linear().into_iter().filter(|k| !self.axes[*k].is_missing);
-        // Of equals the last: Z.
-        let k = there.max_by(|a, b| along(a).abs().total_cmp(&along(b).abs())).unwrap_or(self.linear()[2]);
-        (k, if along(&k) < 0.0 { -1.0 } else { 1.0 })
+        self.retract_axis_of(0).unwrap_or((self.linear()[2], 1.0))
     }
 
     /// The linear axis that the machine has not, as Y of many lathes.

@@ -75,6 +75,7 @@ impl Machine {
         let h = self.heads.get(head)?;
         let along = |k: &usize| self.axes[*k].direction.dot(h.tool());
         let there = h.linear().into_iter().filter(|k| !self.axes[*k].is_missing);
+        // Of equals the last: Z.
         let k = there.max_by(|a, b| along(a).abs().total_cmp(&along(b).abs()))?;
         Some((k, if along(&k) < 0.0 { -1.0 } else { 1.0 }))
     }

@@ -26,6 +26,7 @@ use super::sweep::Sweep;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Cone, Obstacle, PairedRows, Stand};
 use crate::geometry::allowance::Allowed;
+use crate::geometry::opposite::Place;
 use crate::geometry::{Point, Vector};
 use crate::parallel;
 use crate::tool::{Segment, Tool};
@@ -199,10 +200,10 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
         let feet = [0, 1].map(|tool| {
             let c = &work.rows.places[*k].contacts[tool].centre;
             let near = work.blade.part.closest(c, f64::INFINITY)?;
-            Some((near.point, (c - near.point).try_normalize(1e-9)?))
+            Some(Place { point: near.point, normal: (c - near.point).try_normalize(1e-9)? })
         });
-        let [(p, n), (q, m)] = [feet[0]?, feet[1]?];
-        Some([lines_apart(&p, &n, &q, &m), (n + m).norm().clamp(0.0, 2.0) / 2.0])
+        let [one, two] = [feet[0]?, feet[1]?];
+        Some([one.lines_apart_mm(&two), (one.normal + two.normal).norm().clamp(0.0, 2.0) / 2.0])
     };
     let places: Vec<usize> = (0..work.rows.places.len()).collect();
     let found: Vec<Option<[f64; 2]>> = parallel::map(&places, of);
@@ -231,15 +232,6 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
         format!("half of them under {:.3}", angles[0]),
     );
     (vec![line, angle], (lines, angles))
-}
-
-/// Distance of two lines, each through a point along a unit direction, mm.
-fn lines_apart(p: &Point, n: &Vector, q: &Point, m: &Vector) -> f64 {
-    let (across, between) = (n.cross(m), q - p);
-    match across.norm() {
-        s if s > 1e-6 => (between.dot(&across) / s).abs(),
-        _ => between.cross(n).norm(),
-    }
 }
 
 /// How near the tools come to each other, over all stretches, mm.

@@ -48,6 +48,19 @@ pub struct Place {
     pub normal: Vector,
 }
 
+impl Place {
+    /// Distance of the normal line here from that at another place, mm.
+    pub fn lines_apart_mm(&self, other: &Place) -> f64 {
+        let across = self.normal.cross(&other.normal);
+        let between = other.point - self.point;
+        // Parallel lines have no common perpendicular.
+        match across.norm() {
+            s if s > 1e-6 => (between.dot(&across) / s).abs(),
+            _ => between.cross(&self.normal).norm(),
+        }
+    }
+}
+
 /// Two places that face each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
@@ -75,14 +88,7 @@ impl Pair {
 
     /// Distance of the two normal lines, by the surface's own normals, mm.
     pub fn apart_mm(&self) -> f64 {
-        let [a, b] = [self.first.normal, self.second.normal];
-        let across = a.cross(&b);
-        let between = self.second.point - self.first.point;
-        // Parallel lines have no common perpendicular.
-        match across.norm() {
-            s if s > 1e-6 => (between.dot(&across) / s).abs(),
-            _ => between.cross(&a).norm(),
-        }
+        self.first.lines_apart_mm(&self.second)
     }
 }
 

@@ -38,10 +38,11 @@ pub(super) struct Laid {
     pub greatest_mm: [f64; 2],
 }
 
-/// A place of the next row, and the step that led to it, mm.
+/// A place of the next row, the step that led to it, and the ridges that it leaves, mm.
 struct Next {
     at: Standing,
     step_mm: f64,
+    ridges_mm: [f64; 2],
 }
 
 /// The rows from the first on, counter-clockwise seen from the tip where the sign is positive,
@@ -81,14 +82,14 @@ pub(super) fn side_of(
         if kept.len() < LEAST_ROW {
             return Ok(out);
         }
-        let mut row = vec![None; last.len()];
+        let (mut row, mut ridges_mm) = (vec![None; last.len()], vec![[0.0f64; 2]; last.len()]);
         for (k, f) in found.into_iter().enumerate().filter(|(k, _)| kept.contains(k)) {
             let Some(Ok(next)) = f else { continue };
-            (row[k], steps_mm[k]) = (Some(next.at), next.step_mm);
+            (row[k], steps_mm[k], ridges_mm[k]) = (Some(next.at), next.step_mm, next.ridges_mm);
         }
         for _ in 0..DRAWINGS {
-            let curves = [&curves, &RowCurves::of(&row)];
-            let between = parallel::map(kept.start..kept.end - 1, |k| sheet.ridge_between_mm(curves, k));
+            let both = [&curves, &RowCurves::of(&row)];
+            let between = parallel::map(kept.start..kept.end - 1, |k| sheet.ridge_between_mm(both, k));
             let mut shares = vec![1.0f64; last.len()];
             for (k, ridge_mm) in (kept.start..).zip(&between).filter(|(_, ridge_mm)| **ridge_mm > OVER * aim_mm) {
                 // Each ridge grows about as the square of the step.
@@ -97,22 +98,19 @@ pub(super) fn side_of(
             }
             let drawn = |k: usize| {
                 let step_mm = steps_mm[k] * shares[k];
-                Some((k, step_mm, sheet.across(last[k].as_ref()?, sign * step_mm).ok()?))
+                let at = sheet.across(last[k].as_ref()?, sign * step_mm).ok()?;
+                Some((k, Next { ridges_mm: sheet.ridges_mm(&curves, k, &at), at, step_mm }))
             };
             let drawn = parallel::filter_map(kept.clone().filter(|k| shares[*k] < 1.0), drawn);
             if drawn.is_empty() {
                 break;
             }
-            for (k, step_mm, at) in drawn {
-                (row[k], steps_mm[k]) = (Some(at), step_mm);
+            for (k, next) in drawn {
+                (row[k], steps_mm[k], ridges_mm[k]) = (Some(next.at), next.step_mm, next.ridges_mm);
             }
         }
-        for k in kept.clone() {
-            let Some(at) = &row[k] else { continue };
-            let ridges_mm = sheet.ridges_mm(&curves, k, at);
-            for j in 0..2 {
-                out.greatest_mm[j] = out.greatest_mm[j].max(ridges_mm[j]);
-            }
+        for ridges_mm in &ridges_mm {
+            out.greatest_mm = [0, 1].map(|j| out.greatest_mm[j].max(ridges_mm[j]));
         }
         // Both sides are laid at the same time: one of them tells how far it is.
         if sign > 0.0 {
@@ -146,7 +144,7 @@ fn next(
         let ridges_mm = sheet.ridges_mm(curves, k, &at);
         let ridge_mm = ridges_mm[0].max(ridges_mm[1]);
         if ridge_mm <= aim_mm * (1.0 + NEAR_ENOUGH) && step_mm >= low {
-            best = Some(Next { at, step_mm });
+            best = Some(Next { at, step_mm, ridges_mm });
         }
         if (ridge_mm / aim_mm - 1.0).abs() <= NEAR_ENOUGH {
             break;

@@ -1,6 +1,6 @@
 //! The sheet midway between the sides of a blade, with both balls at each of its places.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use super::super::level::{LevelSet, Touch};
 use super::super::stepover::ridge_height;
@@ -65,7 +65,7 @@ pub(super) struct Sheet<'a> {
     pub sides: &'a Sides,
     airfoil: &'a Region,
     /// Faces of the airfoil.
-    faces: BTreeMap<u32, ()>,
+    faces: BTreeSet<u32>,
     /// No ball inside the part is larger, mm.
     within_mm: f64,
 }
@@ -108,7 +108,7 @@ impl<'a> Sheet<'a> {
             lowest_mm: f64::NEG_INFINITY,
         };
         let flags = (0..part.mesh.triangles.len() as u32).filter(|t| airfoil.patch.has(&part.mesh, *t));
-        let faces: BTreeMap<u32, ()> = flags.map(|t| (part.mesh.face(t as usize), ())).collect();
+        let faces: BTreeSet<u32> = flags.map(|t| part.mesh.face(t as usize)).collect();
         let within_mm = part.mesh.aabb().map_or(0.0, |b| b.diagonal_mm());
         Ok(Sheet { blade, options, levels: options.radius_mm.map(level), sides, airfoil, faces, within_mm })
     }
@@ -120,7 +120,7 @@ impl<'a> Sheet<'a> {
     }
 
     fn is_airfoil(&self, face: u32) -> bool {
-        self.faces.contains_key(&face)
+        self.faces.contains(&face)
     }
 
     /// Both balls where the first touches.

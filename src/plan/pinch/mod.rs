@@ -13,14 +13,13 @@ use super::Setup;
 use crate::artifact::paired::PinchMotion;
 use crate::artifact::report::Check;
 use crate::artifact::{Cone, Cones, PairedRows, Sweep};
-use crate::channel::{self, ChannelOptions};
+use crate::channel::{self, ChannelOptions, Surroundings};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::numerics::angle::within_half_turn;
 use crate::numerics::runs::longest;
 use crate::observe::{Observer, timed};
 use crate::pair::{self, Both, FreeAngles, Held, HoldOptions, PinchSettings};
 use crate::path::pairs::{self, PairOptions};
-use crate::tool::Tool;
 use crate::verify::{self, PinchFigures, PinchWork};
 use crate::write::post::{self, pinch::PinchProgram};
 
@@ -123,11 +122,14 @@ impl Setup {
         let cones = self.pinch_cones();
         let between_rad = self.between_heads(&asked)?;
         let own = timed(observer, Stage::Channel, || {
-            let free = |tool: usize| self.free_angles(tools[tool], &rows, (tool, cones[tool]), observer);
+            // Both are of one radius: one index serves them.
+            let around = self.surroundings()?;
+            let free = |tool: usize| self.free_angles(&around, &rows, (tool, cones[tool]), observer);
             let second = free(1)?.into_iter().map(|f| f.turned(-between_rad)).collect();
             Ok([free(0)?, second])
         })?;
         let common: Vec<FreeAngles> = own[0].iter().zip(&own[1]).map(|(a, b)| a.and(b)).collect();
+        let both = Both::new(tools, cones, between_rad);
         // What is free for both ends rows too, as near a platform.
         let open = |row: &Range<usize>| {
             let run = longest(&common[row.clone()].iter().map(|c| !c.is_empty()).collect::<Vec<_>>());
@@ -136,7 +138,6 @@ impl Setup {
         let kept: Vec<_> = rows.rows.iter().map(open).filter(|row| row.len() > 1).collect();
         if kept.is_empty() {
             let first = common.iter().position(FreeAngles::is_empty).unwrap_or(0);
-            let both = Both::new(tools, cones, between_rad);
             return Err(if rows.places.is_empty() { no_rows(&rows) } else { closed(&rows, &own, &both, first) });
         }
         let all = rows.places.len();
@@ -144,7 +145,6 @@ impl Setup {
             |of: &[FreeAngles]| kept.iter().flat_map(|row| of[row.clone()].iter().cloned()).collect::<Vec<_>>();
         let (own, common, rows) = ([chosen(&own[0]), chosen(&own[1])], chosen(&common), rows.only(&kept));
         let cut_off = all - rows.places.len();
-        let both = Both::new(tools, cones, between_rad);
         let clear = |places: &Range<usize>, theta_rad: f64| {
             let moves = rows.places[places.clone()].windows(2);
             moves.into_iter().all(|w| both.apart([&w[0], &w[1]], theta_rad).least_mm >= asked.tools_apart_mm)
@@ -226,7 +226,7 @@ impl Setup {
     /// What is free for a tool at all places of rows, by its own angle.
     fn free_angles(
         &self,
-        tool: &Tool,
+        around: &Surroundings,
         rows: &PairedRows,
         (side, cone): (usize, Cone),
         observer: &dyn Observer,
@@ -236,7 +236,7 @@ impl Setup {
         // The second head's angle is not the table's.
         let theta_limits_rad = usual.theta_limits_rad.filter(|_| side == 0);
         let options = ChannelOptions { sweep: Sweep::Swing, travel: Vec::new(), theta_limits_rad, ..usual };
-        let found = channel::intervals(&self.surroundings()?, tool, &path, &options, observer)?;
+        let found = channel::intervals(around, &self.job.tool, &path, &options, observer)?;
         Ok(found.iter().map(|free| FreeAngles::of(free.iter().map(|f| [f.theta_min, f.theta_max]))).collect())
     }
 }
