@@ -3,13 +3,17 @@
 
 use bladewright::artifact::check_id::CheckId;
 use bladewright::artifact::program::Control;
-use bladewright::artifact::{Cones, Sweep};
+use bladewright::artifact::report::Check;
+use bladewright::artifact::{Cones, Obstacle, PartAmong, Plan, Program, Sweep};
 use bladewright::error::{Error, ErrorKind, Infeasible, Result};
+use bladewright::geometry::mesh::Mesh;
+use bladewright::geometry::part::Part;
+use bladewright::geometry::{Point, Vector};
 use bladewright::machine::Machine;
 use bladewright::observe::Silent;
 use bladewright::plan::{self, Setup};
-use bladewright::verify::Verdict;
-use bladewright::write::post::Dialect;
+use bladewright::verify::{Verdict, Verified, read_back};
+use bladewright::write::post::{self, Dialect, Operation};
 
 use super::of_prism;
 
@@ -64,26 +68,120 @@ fn machine(name: &str) -> Machine {
     of_prism::machine(name, wider)
 }
 
-/// Planned, checked, written for two controls and read back, on a table with a head and on two
-/// tables.
+/// A program of some blades of the wheel, each against its own plan, with what reading it back
+/// finds.
+fn on_blades(setup: &Setup, plans: &[Verified<Plan>], control: Control) -> (Program, Vec<Check>) {
+    let (part, tool) = (setup.part_among(), &setup.job.tool);
+    let options = setup.post_options();
+    let operations: Vec<_> = plans.iter().map(|plan| Operation { plan, tool, options: &options }).collect();
+    let dialect = Dialect::built_in(control).expect("a dialect");
+    let program = post::join(&dialect, &operations, 1, part, &setup.machine).expect("a program");
+    let made: Vec<_> = plans.iter().map(|p| read_back::Operation { plan: p.value(), tool }).collect();
+    let checks = read_back::read_back_each(&program, &made, part, &setup.machine).expect("checks");
+    (program, checks)
+}
+
+/// The wheel's axis goes on from blade to blade, and each blade comes back as planned: in axis
+/// positions, over the part, and as vectors. Turned the wrong way it does not.
 #[test]
-fn a_blade_of_a_wheel_is_planned_and_posted() {
+fn every_blade_of_a_wheel_comes_back_as_planned() {
     for name in ["demo_table_head.toml", "trunnion_ac.toml"] {
-        let setup = setup(&["machine.b_deg=0"], machine(name)).expect("a setup");
-        assert_eq!(setup.obstacles.len(), 1);
-        let verdict = plan::plan(&setup, &Silent).unwrap_or_else(|e| panic!("{name}: {e}"));
-        let Verdict::Passed(verified) = verdict else { panic!("{name}: the plan fails its checks") };
-        let made = verified.value();
-        assert_eq!(made.channel.sweep, Sweep::Swing);
-        assert!(matches!(made.toolpath.cones, Cones::Each(_)), "{name}");
-        for control in [Control::Siemens, Control::Linuxcnc] {
-            let (program, checks) =
-                setup.program(&Dialect::built_in(control).expect("a dialect"), &verified).expect("a program");
-            assert!(program.text.lines().count() > 100);
+        let setup = setup(&["machine.b_deg=0", "region.end_mm=38"], machine(name)).expect("a setup");
+        assert_eq!((setup.obstacles.len(), setup.blades_in_turn().expect("a wheel")), (1, 30));
+        let Ok(Verdict::Passed(first)) = plan::plan(&setup, &Silent) else { panic!("{name}: no plan") };
+        assert_eq!(first.value().channel.sweep, Sweep::Swing);
+        assert!(matches!(first.value().toolpath.cones, Cones::Each(_)), "{name}");
+        let on = |number: u32| match setup.on_blade(&first, number) {
+            Ok(Verdict::Passed(plan)) => plan,
+            other => panic!("{name}: blade {number}: {:?}", other.map(|v| v.report().checks.clone())),
+        };
+        let plans = [first.clone(), on(2), on(16), on(30)];
+        for plan in &plans[1..] {
+            assert_eq!(plan.report(), first.report());
+            assert_eq!(plan.value().motion.t_s, first.value().motion.t_s);
+        }
+        for control in
+            [Control::Linuxcnc, Control::Siemens, Control::SiemensVector, Control::Heidenhain, Control::Fanuc]
+        {
+            let (program, checks) = on_blades(&setup, &plans, control);
             let failed: Vec<_> = checks.iter().filter(|c| !c.passed).collect();
             assert!(failed.is_empty(), "{name} {control}: {failed:?}");
+            assert_eq!(program.text.matches("Operation 4 of 4").count(), 1);
         }
+        let column = setup.machine.turning_axis();
+        let turned =
+            first.value().axes().zip(plans[1].value().axes()).map(|(a, b)| (b[column] - a[column]).to_degrees());
+        assert!(turned.into_iter().all(|deg| (deg.abs() - 12.0).abs() < 1e-9));
     }
+}
+
+/// The demo machine with room for the wheel and ends of travel of the axis that carries it.
+fn with_travel_of_a([least, most]: [i32; 2]) -> Machine {
+    of_prism::machine("demo_table_head.toml", |text| {
+        let text = text.replace("swing_diameter_mm = ", "swing_diameter_mm = 1").replace("330.0", "500.0");
+        let (before, after) = text.split_once("[axes.a]").expect("axis A");
+        format!("{before}[axes.a]\nmin_deg = {least}\nmax_deg = {most}{after}")
+    })
+}
+
+/// A cube about a point.
+fn block(at: &Point, half_mm: f64) -> Mesh {
+    let sign = |k: usize, bit: usize| if k >> bit & 1 == 1 { half_mm } else { -half_mm };
+    let points = (0..8).map(|k| at + Vector::new(sign(k, 0), sign(k, 1), sign(k, 2))).collect();
+    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles = quads.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+    Mesh { points, triangles, ..Mesh::default() }
+}
+
+/// The wheel turns within the travel of its axis; what stands about the part is in the way of
+/// rapids too, and safe positions are beyond it.
+#[test]
+fn the_wheel_turns_within_travel_and_clear_of_bodies() {
+    let changes = ["machine.b_deg=0", "region.end_mm=38"];
+    let setup = |machine: Machine| setup(&changes, machine).expect("a setup");
+    let [wide, narrow] = [[-400, 400], [-100, 100]].map(|travel_deg| setup(with_travel_of_a(travel_deg)));
+    let setup = setup(machine("demo_table_head.toml"));
+    let Ok(Verdict::Passed(plan)) = plan::plan(&setup, &Silent) else { panic!("no plan") };
+    // An axis with ends of travel takes whole turns off; where none helps, the blade is named.
+    let reaches = |setup: &Setup, number: u32| {
+        let turned = setup.on_blade(&plan, number);
+        turned.map(|v| v.value().axes().map(|q| q[setup.machine.turning_axis()].to_degrees().abs()).fold(0.0, f64::max))
+    };
+    assert!(reaches(&wide, 30).expect("blade 30") < 400.0);
+    let e = reaches(&narrow, 16).expect_err("blade 16");
+    assert!(e.kind == ErrorKind::Infeasible && e.message.starts_with("blade 16 of 30: axis A would run from"), "{e}");
+    assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::TurnBeyondTravel { .. })));
+
+    let rapids = |program: &Program, part: PartAmong| {
+        let (tool, machine) = (&setup.job.tool, &setup.machine);
+        let checks = read_back::read_back(program, plan.value(), part, tool, machine).expect("checks");
+        checks.into_iter().find(|c| c.id == CheckId::ProgramRapids).expect("rapids")
+    };
+    let dialect = Dialect::built_in(Control::Linuxcnc).expect("a dialect");
+    let posted = |part: PartAmong| {
+        post::post(&dialect, &plan, part, &setup.job.tool, &setup.machine, &setup.post_options()).expect("a program")
+    };
+    let (alone, among) = (PartAmong::from(&setup.blade), setup.part_among());
+    assert!(rapids(&posted(alone), alone).passed && rapids(&posted(among), among).passed);
+    // A block over the first location, which the tool comes down through.
+    let over = plan.value().rows().next().expect("a row").stand.lifted(200.0).centre;
+    let mesh = block(&over, 80.0);
+    let (clearance_mm, holder_clearance_mm) = (0.1, 0.1);
+    let clamp = Obstacle {
+        name: "a clamp".into(),
+        part: Part::from_mesh(mesh),
+        clearance_mm,
+        holder_clearance_mm,
+        cut_by_the_tool: false,
+    };
+    let about = PartAmong { obstacles: std::slice::from_ref(&clamp), ..alone };
+    let blind = rapids(&posted(alone), about);
+    assert!(!blind.passed && blind.note.contains("a clamp: "), "{blind:?}");
+    // The tool comes to a safe position beyond it where that is known.
+    let lines = |text: &str| {
+        text.lines().filter(|l| l.starts_with("G0 X") && l.contains('Z')).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_ne!(lines(&posted(alone).text), lines(&posted(about).text));
 }
 
 /// The plan of a wheel with few blades runs into the neighbours of one with many, and fails.
@@ -125,8 +223,9 @@ fn what_cannot_be_is_refused_with_its_place() {
     assert!(e.message.contains("the job has no section wheel"), "{e}");
 }
 
-/// The prism so many times about the rotor axis of [`JOB`], as one model.
-fn whole_wheel(blades: u32) -> String {
+/// The prism so many times about the rotor axis of [`JOB`], as one model; the second one larger
+/// across by a share.
+fn whole_wheel(blades: u32, larger: f64) -> String {
     use std::fmt::Write;
     let one = include_str!("../models/prism.obj");
     let vertices: Vec<[f64; 3]> = one
@@ -140,8 +239,9 @@ fn whole_wheel(blades: u32) -> String {
     let mut text = String::new();
     for k in 0..blades {
         let (s, c) = (std::f64::consts::TAU * f64::from(k) / f64::from(blades)).sin_cos();
+        let across = if k == 1 { 1.0 + larger } else { 1.0 };
         for [x, y, z] in &vertices {
-            let (y, z) = (*y, z + 300.0);
+            let (y, z) = (across * y, z + 300.0);
             writeln!(text, "v {x} {} {}", c * y - s * z, s * y + c * z - 300.0).expect("text");
         }
         for line in one.lines().filter_map(|l| l.strip_prefix("f ")) {
@@ -158,7 +258,7 @@ fn whole_wheel(blades: u32) -> String {
 #[test]
 fn a_model_of_a_whole_wheel_is_planned_as_it_is() {
     let machine = || machine("demo_table_head.toml");
-    let twelve = whole_wheel(12);
+    let twelve = whole_wheel(12, 0.0);
     let whole =
         of_prism::setup_of(("wheel.obj", twelve.as_bytes()), &without_wheel(), &[], machine()).expect("a setup");
     let alone =
@@ -180,4 +280,29 @@ fn a_model_of_a_whole_wheel_is_planned_as_it_is() {
     let other = other.map(|_| ()).expect_err("ten blades");
     assert!(other.message.contains("but the model repeats every 30.000°, 12 times in a turn"), "{other}");
     assert!(matches!(other.infeasible.as_deref(), Some(Infeasible::NotThatWheel { asked: 10, found: 12 })));
+}
+
+/// Blades that the model has itself are measured: one that is larger is cut, of one that is smaller
+/// the ball stays off.
+#[test]
+fn a_blade_that_differs_is_found() {
+    for (larger, bad) in [(0.0, None), (2e-3, Some(CheckId::Gouge)), (-2e-3, Some(CheckId::OtherBlade))] {
+        let model = whole_wheel(5, larger);
+        let changes = ["region.end_mm=39"];
+        let machine = machine("demo_table_head.toml");
+        let setup = of_prism::setup_of(("wheel.obj", model.as_bytes()), &without_wheel(), &changes, machine);
+        let setup = setup.expect("a setup");
+        let verdict = plan::plan(&setup, &Silent).expect("a plan");
+        let first = plan::accept(verdict, true).expect("evidence");
+        let failing = |number: u32| -> Vec<CheckId> {
+            let judged = setup.on_blade(&first, number).expect("a verdict");
+            judged.report().checks.iter().filter(|c| !c.passed).map(|c| c.id.clone()).collect()
+        };
+        // The model's frame names another blade first where one differs: all but one are alike.
+        let odd: Vec<_> = (2..=5).map(failing).filter(|f| !f.is_empty()).collect();
+        match &bad {
+            None => assert!(odd.is_empty(), "{odd:?}"),
+            Some(id) => assert!(odd.len() == 1 && odd[0].contains(id), "{larger}: {odd:?}"),
+        }
+    }
 }

@@ -67,6 +67,7 @@ checks! {
     "holder-clearance" HolderClearance "the holder to the part.",
     "obstacle-gouge" ObstacleGouge "the swept ball in a fixture, another blade or the hub.",
     "obstacle-clearance" ObstacleClearance "the tool to a fixture or the stock.",
+    "other-blade" OtherBlade "another blade of the wheel against the ball that touches this one.",
     "lead-gouge" LeadGouge "the ball in the part on the leads.",
     "lead-clearance" LeadClearance "taper and shank to the part on the leads.",
     "lead-holder-clearance" LeadHolderClearance "the holder to the part on the leads.",

@@ -49,6 +49,12 @@ impl Cone {
         self.axis * sb + (self.reference * ct + self.axis.cross(&self.reference) * st) * cb
     }
 
+    /// The same family where the part is turned with all its tool axes.
+    #[must_use]
+    pub fn turned(&self, turn: &UnitQuaternion<f64>) -> Self {
+        Cone { axis: turn * self.axis, reference: turn * self.reference, ..*self }
+    }
+
     /// A vector of the blade frame by its components along `c`, `e` and `c × e`.
     pub fn seen(&self, v: &Vector) -> Vector {
         if self.is_about_blade() {
@@ -169,7 +175,16 @@ impl Cones {
     /// The same cones with another lean, rad.
     #[must_use]
     pub fn leaning(&self, lean_rad: f64) -> Self {
-        let with = |c: &Cone| Cone { lean_rad, ..*c };
+        self.each_as(|c: &Cone| Cone { lean_rad, ..*c })
+    }
+
+    /// The cones where the part is turned with all its tool axes.
+    #[must_use]
+    pub fn turned(&self, turn: &UnitQuaternion<f64>) -> Self {
+        self.each_as(|c| c.turned(turn))
+    }
+
+    fn each_as(&self, with: impl Fn(&Cone) -> Cone) -> Self {
         match self {
             Cones::Same(cone) => Cones::Same(with(cone)),
             Cones::Each(all) => Cones::Each(all.iter().map(with).collect()),

@@ -37,7 +37,7 @@ pub use cone::{Cone, Cones};
 pub use curve::Curve;
 pub use lead::Lead;
 pub use motion::{Motion, Stand};
-pub use obstacle::Obstacle;
+pub use obstacle::{Obstacle, PartAmong};
 pub use paired::PairedRows;
 pub use plan::Plan;
 pub use program::Program;

@@ -1,7 +1,31 @@
-//! What is in the tool's way besides the part: fixtures and stock.
+//! What is in the tool's way besides the part: fixtures, stock, the other blades of a wheel.
+use super::Blade;
 use crate::geometry::part::Part;
 
-/// A fixture or the stock, blade frame.
+/// A part with what stands about it.
+#[derive(Clone, Copy)]
+pub struct PartAmong<'a> {
+    /// The part.
+    pub blade: &'a Blade,
+    /// What stands about it.
+    pub obstacles: &'a [Obstacle],
+}
+
+impl<'a> PartAmong<'a> {
+    /// The part, then what stands about it.
+    pub fn bodies(&self) -> impl Iterator<Item = &'a Part> + use<'a> {
+        std::iter::once(&self.blade.part).chain(self.obstacles.iter().map(|o| &o.part))
+    }
+}
+
+impl<'a> From<&'a Blade> for PartAmong<'a> {
+    /// With nothing about it.
+    fn from(blade: &'a Blade) -> Self {
+        PartAmong { blade, obstacles: &[] }
+    }
+}
+
+/// A fixture, the stock, the other blades of a wheel or its hub, blade frame.
 #[derive(Clone)]
 pub struct Obstacle {
     /// What messages call it, e.g. `fixture vice.stl`.

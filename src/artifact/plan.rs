@@ -1,5 +1,6 @@
 //! Everything that a program is made from, bundled for the checks.
 use super::{AxisMotion, Channel, Cone, Lead, ProgrammedCurve, Schedule, Stand, Toolpath};
+use crate::geometry::Rigid;
 
 /// A complete plan, one row of each part per cutter location.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -81,6 +82,24 @@ impl Plan {
     pub fn axes(&self) -> impl Iterator<Item = &[f64]> {
         let [before, after] = &self.leads;
         before.motion.position.iter().chain(&self.motion.position).chain(&after.motion.position)
+    }
+
+    /// The plan of an equal blade that a turn of the wheel brings this one to: ball centres,
+    /// contacts and tool axes turned, an axis of the machine farther by `by_rad`. What the channel
+    /// names stays on this blade; a curve is left out.
+    #[must_use]
+    pub fn turned(&self, turn: &Rigid, column: usize, by_rad: f64) -> Plan {
+        let mut out = Plan { curve: None, ..self.clone() };
+        out.toolpath.cones = self.toolpath.cones.turned(&turn.rotation);
+        for l in &mut out.toolpath.locations {
+            (l.centre, l.contact, l.normal) = (turn * l.centre, turn * l.contact, turn * l.normal);
+        }
+        out.leads.iter_mut().flat_map(|lead| &mut lead.centres).for_each(|centre| *centre = turn * *centre);
+        let leads = out.leads.iter_mut().map(|lead| &mut lead.motion);
+        for positions in leads.chain([&mut out.motion]).map(|motion| &mut motion.position) {
+            (0..positions.len()).for_each(|row| positions[row][column] += by_rad);
+        }
+        out
     }
 
     /// What is left of the plan from the beginning of a turn on: the same locations, angles and

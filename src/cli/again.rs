@@ -86,10 +86,18 @@ pub fn post(args: &Post, quiet: bool) -> Result<u8> {
         passed &= good;
     }
     let from = operations::From { operation: args.from_operation, turn: args.from_turn };
-    let (program, checks) = operations::join(&done, &dialect, from)?;
-    if checks.iter().any(|c| !c.passed) {
-        let report = CheckReport { checks, ..CheckReport::default() };
-        print_failed(&report);
+    let extent = operations::Extent { from, every_blade: args.every_blade };
+    let (program, checks) = operations::join(&done, &dialect, extent)?;
+    let sound = checks.iter().all(|c| c.passed);
+    if !sound {
+        print_failed(&CheckReport { checks, ..CheckReport::default() });
+    }
+    let Some(program) = program else {
+        let message = "other blades of the wheel are not as the one that was planned, so no program was written";
+        return Err(Error::new(Stage::Post, ErrorKind::Findings, message)
+            .advise("plan a blade that differs by itself: --axis chooses it"));
+    };
+    if !sound {
         return Err(Error::new(
             Stage::Post,
             ErrorKind::Findings,

@@ -87,7 +87,7 @@ pub enum Verb {
     /// Write the NC program of a finished run for a control, or of several runs as operations of
     /// one program.
     #[command(
-        after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml\n  bladewright post out/b --control siemens --from-turn 12\n  bladewright post out/airfoil out/fillet --control siemens -o out/program\n  bladewright post out/airfoil out/fillet --control siemens -o out/program --from-operation 2 --from-turn 3"
+        after_help = "Examples:\n  bladewright post out/b --control heidenhain\n  bladewright post out/b --post-file mine.toml\n  bladewright post out/b --control siemens --from-turn 12\n  bladewright post out/airfoil out/fillet --control siemens -o out/program\n  bladewright post out/wheel --every-blade --control heidenhain -o out/program\n  bladewright post out/airfoil out/fillet --control siemens -o out/program --from-operation 2 --from-turn 3"
     )]
     Post(Post),
     /// Write preview.glb and report.html of a finished run again.
@@ -646,6 +646,10 @@ pub struct Post {
     /// Begin with this operation, from 1, to go on after a break; `--from-turn` counts its turns.
     #[arg(long, value_name = "K")]
     pub from_operation: Option<usize>,
+    /// Machine every blade of the wheel, one after another: the rotary axis that carries the wheel
+    /// goes on from blade to blade. Each blade is an operation, and `--from-operation` counts them.
+    #[arg(long, requires = "out")]
+    pub every_blade: bool,
     /// Write the program even if the checks fail; its header says so.
     #[arg(long)]
     pub force: bool,

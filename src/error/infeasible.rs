@@ -437,6 +437,15 @@ pub enum Infeasible {
         /// Where.
         at: Along,
     },
+    /// The axis that turns a wheel does not reach one of its blades.
+    TurnBeyondTravel {
+        /// Name of the axis.
+        axis: String,
+        /// Where it would run, degrees.
+        range_deg: [f64; 2],
+        /// Its travel, degrees.
+        travel_deg: [f64; 2],
+    },
     /// Neighbouring blades of a wheel are not apart.
     BladesOverlap {
         /// Number of blades.

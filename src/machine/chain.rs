@@ -275,6 +275,13 @@ impl Head {
         [at[self.columns.first], self.columns.second.map_or(0.0, |k| at[k])]
     }
 
+    /// A point on the rotary axis nearest to the part, the one nearest to the part's origin, and
+    /// its direction, frame of the part.
+    pub(super) fn first_axis_in_part(&self) -> (Point, Vector) {
+        let (point, along) = (self.blade * self.first.point, self.first_in_blade);
+        (point - along * point.coords.dot(&along), along)
+    }
+
     /// Distance of a point of the part from the rotary axis nearest to it, mm.
     pub(super) fn off_axis_mm(&self, p: &Point) -> f64 {
         (self.mount * p - self.first.point).cross(&self.first.direction).norm()

@@ -10,6 +10,13 @@ use crate::artifact::Axes;
 use crate::error::Result;
 use crate::geometry::{Point, Rigid, Vector};
 
+/// A turning axis nearer to the blade axis than this is on it, mm: rounding of the mount.
+const ON_AXIS_MM: f64 = 1e-9;
+/// A rotor within this angle, rad, and …
+const ALONG: f64 = 1e-9;
+/// … this distance of the turning axis, mm, is on it: rounding of the mount.
+const ON_ROTOR_MM: f64 = 1e-6;
+
 /// Where the tool is, in the blade frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
@@ -124,6 +131,25 @@ impl Machine {
     pub fn off_table_axis_mm(&self, p: &Point) -> Option<f64> {
         let turning = &self.axes()[self.turning_axis()];
         (turning.carries == Carries::Workpiece).then(|| self.head().off_axis_mm(p))
+    }
+
+    /// A point on the axis of the table that turns the part, and its direction, unit, blade frame;
+    /// `None` on a machine on which the part stands still.
+    pub fn turning_line(&self) -> Option<(Point, Vector)> {
+        let turning = &self.axes()[self.turning_axis()];
+        let (point, along) = self.head().first_axis_in_part();
+        let on_blade_axis = self.turns_the_blade() && point.coords.norm() < ON_AXIS_MM;
+        let line = if on_blade_axis { (Point::origin(), Vector::x() * along.x.signum()) } else { (point, along) };
+        (turning.carries == Carries::Workpiece).then_some(line)
+    }
+
+    /// Whether the rotary axis nearest to the workpiece goes on (1) or back (-1) where the tool
+    /// follows the part in a turn about an axis of the blade frame, by the right-hand rule; `None`
+    /// where the part does not turn about that axis.
+    pub fn sense_about(&self, axis: &Vector, through: &Point) -> Option<f64> {
+        let (point, along) = self.turning_line()?;
+        let (parallel, off_mm) = (along.cross(axis).norm() < ALONG, (through - point).cross(&along).norm());
+        (parallel && off_mm < ON_ROTOR_MM).then(|| along.dot(axis).signum())
     }
 
     /// The part's place under a tool that stands still, for showing it: see

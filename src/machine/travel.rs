@@ -4,9 +4,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{Axis, Machine};
 use crate::artifact::axis_travel::Affine;
-use crate::artifact::{AxisMotion, AxisTravel};
+use crate::artifact::{AxisMotion, AxisTravel, PartAmong};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
+use crate::geometry::part::Part;
 
 /// Distance between points by which affine functions are found, mm.
 const UNIT_MM: f64 = 100.0;
@@ -90,6 +91,15 @@ impl Machine {
             finite.then(|| AxisTravel { name: format!("axis {}", axis.name), limits_mm, mean, cos, sin })
         };
         self.linear().into_iter().filter_map(one).collect()
+    }
+
+    /// The distance from the blade axis within which everything is that the table turns, mm: the
+    /// greatest of a point of the part or of what stands about it from the table's axis, and that
+    /// of the blade axis. `None` on a machine on which the blade stands still.
+    pub fn turns_within_mm(&self, part: &PartAmong) -> Option<f64> {
+        let off = |p: &Point| self.off_table_axis_mm(p);
+        let farthest = |b: &Part| b.mesh.points.iter().filter_map(off).fold(0.0, f64::max) + b.deflection_mm;
+        off(&Point::origin()).map(|own| part.bodies().map(farthest).fold(0.0, f64::max) + own)
     }
 
     /// Whether a part of these points (blade frame, mm) turns freely.

@@ -3,7 +3,7 @@
 use crate::artifact::cone::Cone;
 use crate::artifact::paired::PairPlace;
 use crate::geometry::{Point, Vector};
-use crate::tool::{Segment, Tool};
+use crate::tool::{Segment, Tool, lowest_mm};
 
 /// Two tools over one angle of the table.
 pub struct Both {
@@ -61,11 +61,7 @@ impl Both {
 
     /// How low a tool comes along a unit direction, mm.
     fn lowest_mm(&self, tool: usize, centre: &Point, axis: &Vector, along: &Vector) -> f64 {
-        let (at, rise) = (centre.coords.dot(along), axis.dot(along));
-        // How far a circle about the axis of radius 1 comes down.
-        let across = (1.0 - rise * rise).max(0.0).sqrt();
-        let ends = self.segments[tool].iter().flat_map(|s| [(s.z0, s.r0), (s.z1, s.r1)]);
-        ends.map(|(z, r)| at + z * rise - r * across).fold(at - self.radius_mm[tool], f64::min)
+        lowest_mm(&self.segments[tool], self.radius_mm[tool], centre, axis, along)
     }
 }
 

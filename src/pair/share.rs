@@ -3,8 +3,8 @@
 use crate::artifact::region::{Area, of_faces};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
-use crate::geometry::mesh::{spread, topology};
-use crate::geometry::opposite::{Pair, Place, partner};
+use crate::geometry::mesh::spread;
+use crate::geometry::opposite::{Pair, Place, has_inside, partner};
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::parallel;
@@ -46,18 +46,7 @@ pub struct Share {
 pub fn share(part: &Part, areas: &[Area], chord_mm: f64, observer: &dyn Observer) -> Result<Share> {
     let refuse =
         |message: String, advice: &str| Error::infeasible(Stage::Model, message, Infeasible::NoPairs).advise(advice);
-    if !topology(&part.mesh).closed() {
-        return Err(refuse(
-            "the part is open: it has no inside, and so no opposite sides".into(),
-            "close the mesh (--close-holes), or export the solid",
-        ));
-    }
-    if part.mesh.volume_mm3() <= 0.0 {
-        return Err(refuse(
-            "the part encloses no volume: its surface is inside out, or folded on itself".into(),
-            "export the solid, with normals that point outwards",
-        ));
-    }
+    has_inside(part, Stage::Model)?;
     let is_airfoil = |t: usize| areas.get(t) == Some(&Area::Airfoil);
     let places = spread(&part.mesh, is_airfoil, PLACES);
     if places.is_empty() {

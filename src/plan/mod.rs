@@ -18,7 +18,7 @@ use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, AxisTravel, Obstacle, Plan, Program, Schedule, Sweep, Wheel};
+use crate::artifact::{AxisMotion, AxisTravel, Obstacle, PartAmong, Plan, Program, Schedule, Sweep, Wheel};
 use crate::channel::{ChannelOptions, ChannelSettings};
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedOptions;
@@ -326,14 +326,19 @@ impl Setup {
         verify::check_among(plan, &workspace, &self.verify_options(), observer)
     }
 
+    /// The part with what stands about it.
+    pub fn part_among(&self) -> PartAmong<'_> {
+        PartAmong { blade: &self.blade, obstacles: &self.obstacles }
+    }
+
     /// A checked plan as a program, and what reading the program back found.
     ///
     /// # Errors
     /// Those of [`post::post`] and of [`verify::read_back::read_back`].
     pub fn program(&self, dialect: &Dialect, verified: &Verified<Plan>) -> Result<(Program, Vec<Check>)> {
-        let (blade, tool, machine) = (&self.blade, &self.job.tool, &self.machine);
-        let program = post::post(dialect, verified, blade, tool, machine, &self.post_options())?;
-        let checks = verify::read_back::read_back(&program, verified.value(), blade, tool, machine)?;
+        let (part, tool, machine) = (self.part_among(), &self.job.tool, &self.machine);
+        let program = post::post(dialect, verified, part, tool, machine, &self.post_options())?;
+        let checks = verify::read_back::read_back(&program, verified.value(), part, tool, machine)?;
         Ok((program, checks))
     }
 }

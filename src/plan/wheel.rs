@@ -1,8 +1,11 @@
 //! The wheel that a blade belongs to: what of it is in the tool's way.
 
+use std::f64::consts::TAU;
+
 use nalgebra::Unit;
 
-use crate::artifact::{Blade, Obstacle, Wheel};
+use super::Setup;
+use crate::artifact::{Blade, Obstacle, Plan, Wheel};
 use crate::channel::ChannelSettings;
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::mesh::Mesh;
@@ -10,6 +13,7 @@ use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::job::WheelSettings;
 use crate::parallel;
+use crate::verify::{self, Verdict, Verified, Workspace};
 
 /// A rotor axis nearer to the blade axis than this leaves the blade no radial direction (sine).
 const ALONG_BLADE: f64 = 0.2;
@@ -37,6 +41,84 @@ pub(super) fn of(settings: &WheelSettings, blade: &Blade) -> Result<Wheel> {
         .advise("give a blade axis that stands off the rotor axis, or the true wheel.axis; `inspect` prints both"));
     }
     Ok(Wheel { axis, origin: blade_from_model * Point::from(settings.origin_mm), blades: settings.blades })
+}
+
+impl Setup {
+    /// How many blades of the wheel the machine turns to one after another.
+    ///
+    /// # Errors
+    /// Kind `Usage` where there is no wheel, or the machine turns the one blade about itself.
+    pub fn blades_in_turn(&self) -> Result<u32> {
+        self.turns_wheel().map(|(wheel, _)| wheel.blades)
+    }
+
+    /// The wheel, and whether the axis that turns it goes on or back from blade to blade.
+    fn turns_wheel(&self) -> Result<(&Wheel, f64)> {
+        let refuse = |message: String, advice: &str| Err(Error::usage(Stage::Post, message).advise(advice));
+        let Some(wheel) = &self.wheel else {
+            return refuse(
+                "every blade is asked for, but the job has no wheel".into(),
+                "give section wheel in the job",
+            );
+        };
+        if self.job.orientation.kind.goes_round() {
+            return refuse(
+                "every blade is asked for, but the machine turns the one blade about itself, not the wheel".into(),
+                "plan with orientation.kind = \"five-axis\"",
+            );
+        }
+        match self.machine.sense_about(&wheel.axis, &wheel.origin) {
+            Some(sense) => Ok((wheel, sense)),
+            None => refuse(
+                format!("the machine {} does not turn the wheel about its rotor axis", self.machine.name),
+                "name a machine whose table turns the workpiece",
+            ),
+        }
+    }
+
+    /// The checked plan on another blade of the wheel, by its number; the blade that was planned
+    /// is number 1. Where the model has that blade itself, it is measured:
+    /// [`verify::on_other_blade`].
+    ///
+    /// # Errors
+    /// Those of [`Setup::blades_in_turn`]; kind `Infeasible` where an axis with ends of travel does
+    /// not turn so far.
+    pub fn on_blade(&self, plan: &Verified<Plan>, number: u32) -> Result<Verdict<Plan>> {
+        let (wheel, sense) = self.turns_wheel()?;
+        let (column, turn) = (self.machine.turning_axis(), wheel.turn_to(number));
+        let by_rad = sense * TAU * f64::from(number - 1) / f64::from(wheel.blades);
+        let by_rad = self.within_travel(plan.value(), column, by_rad).map_err(|e| {
+            let what = format!("blade {number} of {}: {}", wheel.blades, e.message);
+            Error { message: what, ..e }
+        })?;
+        let own = self.blade.wheel.is_some_and(|w| w.whole);
+        let (blade, obstacles) = (&self.blade, &self.obstacles[..]);
+        let workspace = Workspace { blade, obstacles, tool: &self.job.tool, machine: &self.machine };
+        Ok(verify::on_other_blade(plan, (&turn, column, by_rad), own, &workspace, &self.verify_options()))
+    }
+
+    /// An angle of the rotary axis that is as good as another, whole turns off, with which the plan
+    /// is within the axis' travel.
+    fn within_travel(&self, plan: &Plan, column: usize, by_rad: f64) -> Result<f64> {
+        let axis = &self.machine.axes()[column];
+        let Some([lo, hi]) = axis.limits.travel else { return Ok(by_rad) };
+        let positions = plan.axes().map(|row| row[column]);
+        let [a, b] = positions.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], q| [a.min(q), b.max(q)]);
+        let whole = ((0.5 * (lo + hi) - 0.5 * (a + b) - by_rad) / TAU).round();
+        let nearest = by_rad + TAU * whole;
+        if a + nearest >= lo && b + nearest <= hi {
+            return Ok(nearest);
+        }
+        let [from, to, least, most] = [a + nearest, b + nearest, lo, hi].map(f64::to_degrees);
+        let message = format!(
+            "axis {} would run from {from:.3}° to {to:.3}°, its travel is {least:.3}° to {most:.3}°",
+            axis.name
+        );
+        let what =
+            Infeasible::TurnBeyondTravel { axis: axis.name.clone(), range_deg: [from, to], travel_deg: [least, most] };
+        Err(Error::infeasible(Stage::Post, message, what)
+            .advise("take a machine whose table turns without end, or set travel of that axis as it is"))
+    }
 }
 
 /// The other blades and the hub, which keep the room of the channel from the tool.

@@ -62,7 +62,7 @@ pub fn programs_again(
 
 /// What a dialect writes of a plan now.
 fn posted(setup: &Setup, dialect: &Dialect, verified: &Verified<Plan>) -> Result<Program> {
-    post::post(dialect, verified, &setup.blade, &setup.job.tool, &setup.machine, &setup.post_options())
+    post::post(dialect, verified, setup.part_among(), &setup.job.tool, &setup.machine, &setup.post_options())
 }
 
 /// Checks a program of a plan. What is written now tells with which values the program was written.
@@ -78,8 +78,8 @@ fn text_of(content: &[u8]) -> Option<String> {
 }
 
 fn read_back(setup: &Setup, program: Program, plan: &Plan) -> Vec<Check> {
-    let (blade, tool, machine) = (&setup.blade, &setup.job.tool, &setup.machine);
-    match verify::read_back::read_back(&program, plan, blade, tool, machine) {
+    let (part, tool, machine) = (setup.part_among(), &setup.job.tool, &setup.machine);
+    match verify::read_back::read_back(&program, plan, part, tool, machine) {
         Ok(checks) => checks,
         Err(e) => vec![unreadable(&program.file_name, e.message)],
     }

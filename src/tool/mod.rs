@@ -76,6 +76,16 @@ pub struct Segment {
     pub r1: f64,
 }
 
+/// Where along a unit direction a tool ends, mm: of ball and frusta the lowest place. `centre`: of the
+/// ball, `radius_mm` its radius, `axis` the tool axis from tip to spindle.
+pub fn lowest_mm(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Vector, along: &Vector) -> f64 {
+    let (at, rise) = (centre.coords.dot(along), axis.dot(along));
+    // How far a circle about the axis of radius 1 comes down.
+    let across = (1.0 - rise * rise).max(0.0).sqrt();
+    let ends = segments.iter().flat_map(|s| [(s.z0, s.r0), (s.z1, s.r1)]);
+    ends.map(|(z, r)| at + z * rise - r * across).fold(at - radius_mm, f64::min)
+}
+
 impl Tool {
     /// Reads the text of a tool file: TOML with the keys of this type, or with a table `[tool]` of them, so that a resolved job
     /// will do; `origin` names it in messages.

@@ -204,6 +204,23 @@ pub(super) fn in_obstacles<'o>(
     solid.map(one).reduce(|a, b| if b.1 > a.1 { b } else { a })
 }
 
+/// The check `other-blade`: how far a part is off the ball at the cutter locations, where that
+/// should touch it.
+pub(super) fn check_touches(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &VerifyOptions) -> Check {
+    let off = |c: &Point| part.closest(c, f64::INFINITY).map_or(f64::INFINITY, |p| p.distance_mm - sweep.radius_mm);
+    let off_mm = parallel::map(&sweep.centres, off);
+    let (row, worst) = off_mm.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or((0, 0.0), |(k, v)| (k, *v));
+    let note = "plan a blade that differs by itself: --axis chooses it".to_owned();
+    let quantity = "distance of the blade from the ball where that touches the blade that was planned";
+    let point = sweep.centres.get(row).map(|c| blade.model_from_blade * c);
+    Check {
+        row: Some(row),
+        turn: sweep.turns.get(row).copied(),
+        point_mm: point.map(|p| [p.x, p.y, p.z]),
+        ..Check::at_most(CheckId::OtherBlade, quantity, worst.max(0.0), options.settings.gouge_mm, "mm", note)
+    }
+}
+
 /// The check `obstacle-gouge`: the ball in what stands about the part; `None` where nothing does.
 pub(super) fn check_obstacles(
     blade: &Blade,

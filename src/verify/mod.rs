@@ -13,6 +13,7 @@
 //! | `scallop` | height at which the normal of a surface sample meets the swept ball (capsules) | none: samples |
 //! | `ridge` | lowest point of the circle in which neighbouring passes meet, over the part | none: samples |
 //! | `clearance`, `holder-clearance` | least distance of the frusta to the part's triangles | Taylor bound over the move |
+//! | `other-blade` | how far another blade of the wheel is off the ball where that touches the blade that was planned ([`on_other_blade`]) | locations |
 //! | `lead-gouge`, `lead-clearance`, `lead-holder-clearance` | the same on the ways onto the path and off it, arc and straight line | likewise |
 //! | `lead-axes`, `lead-travel`, `lead-limits` | axis positions of the leads' rows, and their difference quotients over the limits | rows |
 //! | `theta-reversal`, `theta-channel` | θ from row to row, θ against the channel | rows |
@@ -33,8 +34,8 @@
 //! value in its note.
 //!
 //! **Limits**: what the control does between rows is taken as a straight move of the ball centre
-//! with θ even, or as the plan's curve; the clearance is measured to the part's
-//! triangles and lessened by their deflection; jerk is not checked.
+//! with θ even, or as the plan's curve; the clearance is measured to the part's triangles and
+//! lessened by their deflection; jerk is not checked.
 
 mod apart;
 mod asked;
@@ -85,6 +86,7 @@ pub use verdict::{Rejected, Verdict, Verified};
 
 use crate::artifact::{Blade, CheckReport, Obstacle, Plan};
 use crate::error::{Error, Result, Stage};
+use crate::geometry::Rigid;
 use crate::geometry::allowance::Allowed;
 use crate::machine::Machine;
 use crate::observe::{Observer, Warning};
@@ -173,6 +175,36 @@ pub fn check_among(
     }
     step(4)?;
     Ok(Verdict::of(plan, report))
+}
+
+/// A checked plan on an equal blade of its wheel: the turn of the wheel that brings the blade in
+/// hand to the other one, and how much farther a rotary axis then stands, rad. The turn carries
+/// part, bodies and tool alike, so what was found of the one blade holds for a copy of it. Where
+/// the model has the blades itself (`own`), ball, tool and leads are measured again, on the model
+/// turned back, and how far the other blade is off the ball where it should touch.
+pub fn on_other_blade(
+    plan: &Verified<Plan>,
+    (turn, column, by_rad): (&Rigid, usize, f64),
+    own: bool,
+    workspace: &Workspace,
+    options: &VerifyOptions,
+) -> Verdict<Plan> {
+    let (first, mut report) = (plan.value(), plan.report().clone());
+    let Workspace { blade, obstacles, tool, machine } = *workspace;
+    if own {
+        let blade = &Blade { part: blade.part.clone().moved(&turn.inverse()), ..blade.clone() };
+        let stock_mm = first.toolpath.stock_mm;
+        let (part, sweep) = (Allowed::new(&blade.part, stock_mm), sweep::Sweep::new(&first.toolpath));
+        report.checks = vec![gouge::check(blade, &part, &sweep, options).0];
+        report.checks.push(gouge::check_touches(blade, &part, &sweep, options));
+        report.checks.extend(clearance::check(first, blade, &apart::apart(blade, obstacles, tool, options), options).0);
+        report.checks.extend(lead::check(first, &lead::Room { blade, stock_mm, obstacles, tool, machine, options }));
+    }
+    let turned = first.turned(turn, column, by_rad);
+    match Verdict::of(turned, report) {
+        Verdict::Passed(v) if plan.forced() => Verdict::Passed(v.as_forced()),
+        verdict => verdict,
+    }
 }
 
 /// Puts the places into a report that was read from a file: where the scallop, the ridges and what

@@ -12,13 +12,12 @@ use super::sweep::Sweep;
 use super::{apart, gouge};
 use crate::artifact::paired::PinchMotion;
 use crate::artifact::report::Check;
-use crate::artifact::{Axes, AxisCheck, CheckId, Stand};
+use crate::artifact::{Axes, AxisCheck, CheckId, PartAmong, Stand};
 use crate::geometry::allowance::Allowed;
-use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
 use crate::numerics::angle::nearest_turn;
-use crate::tool::Tool;
+use crate::tool::{Tool, lowest_mm};
 
 /// Ball centres may lie so far from their places, mm.
 const CENTRE_MM: f64 = 0.001;
@@ -258,21 +257,15 @@ impl Matched {
 /// the part of its axis that is square to the blade's.
 fn height_mm(tool: &Tool, pose: &Pose) -> f64 {
     let out = Vector::new(0.0, pose.axis.y, pose.axis.z).try_normalize(1e-9).unwrap_or_default();
-    let (at, rise) = (pose.centre.coords.dot(&out), pose.axis.dot(&out));
-    let across = (1.0 - rise * rise).max(0.0).sqrt();
-    let segments = tool.segments();
-    let ends = segments.iter().flat_map(|s| [(s.z0, s.r0), (s.z1, s.r1)]);
-    ends.map(|(z, r)| at + z * rise - r * across).fold(at - tool.radius_mm, f64::min)
+    lowest_mm(&tool.segments(), tool.radius_mm, &pose.centre, &pose.axis, &out)
 }
 
 /// The height over the blade axis, mm, beyond which nothing is that turns with the table: the
 /// greatest distance of a point of the part and what stands about it from the table's axis, and
 /// that of the blade axis.
 fn turning_mm(work: &PinchWork, machine: &Machine) -> f64 {
-    let off = |p: &Point| machine.off_table_axis_mm(p).unwrap_or(f64::INFINITY);
-    let parts = std::iter::once(&work.blade.part).chain(work.obstacles.iter().map(|o| &o.part));
-    let farthest = |part: &Part| part.mesh.points.iter().map(off).fold(0.0, f64::max) + part.deflection_mm;
-    parts.map(farthest).fold(0.0, f64::max) + off(&Point::origin())
+    let part = PartAmong { blade: work.blade, obstacles: work.obstacles };
+    machine.turns_within_mm(&part).unwrap_or(f64::INFINITY)
 }
 
 /// In rapids both tools stay over what the part turns in: axes that go straight keep a tool over a

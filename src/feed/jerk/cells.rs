@@ -228,6 +228,12 @@ pub(super) fn dot(g: &[f64; 3], v: &[f64; 3]) -> f64 {
     g[0] * v[0] + g[1] * v[1] + g[2] * v[2]
 }
 
+/// Bernstein polynomials of degree 2 at a share of a cell.
+#[inline]
+fn quadratic(f: f64) -> [f64; 3] {
+    [(1.0 - f) * (1.0 - f), 2.0 * f * (1.0 - f), f * f]
+}
+
 /// `(x, u, w)` → Bernstein coefficients of x over a cell.
 pub(super) fn of_x(h: f64) -> [[f64; 3]; 3] {
     [[1.0, 0.0, 0.0], [1.0, h, 0.0], [1.0, 2.0 * h, h * h]]
@@ -268,7 +274,7 @@ pub(super) fn jensen(x: [f64; 3]) -> f64 {
     let (low, high) = (x[0].min(x[1]).min(x[2]), x[0].max(x[1]).max(x[2]));
     let inverse = x.map(|x| 1.0 / x.sqrt());
     let at = |f: f64| {
-        let b: [f64; 3] = [(1.0 - f) * (1.0 - f), 2.0 * f * (1.0 - f), f * f];
+        let b = quadratic(f);
         dot(&b, &inverse) * dot(&b, &x).sqrt()
     };
     if high < 2.0 * low {
@@ -283,35 +289,47 @@ impl Cell<'_> {
     /// next cell's first.
     #[inline]
     pub fn acceleration(&self, axis: &Derivatives) -> Forms {
-        let x = of_x(self.h);
-        let u = [[0.0, 1.0, 0.0], [0.0, 1.0, self.h]];
-        let Derivatives { q1: q, q2: r, .. } = axis;
         if axis.is_bent {
-            return product(5, [(&q[..], &u[..]), (&r[..], &x[..])]);
+            let (x, u) = (of_x(self.h), self.of_u());
+            return product(5, [(&axis.q1[..], &u[..]), (&axis.q2[..], &x[..])]);
         }
-        Forms::three([
+        Forms::three(self.acceleration_of_cubic(axis))
+    }
+
+    #[inline]
+    fn acceleration_of_cubic(&self, Derivatives { q1: q, q2: r, .. }: &Derivatives) -> [[f64; 3]; 3] {
+        let (x, u) = (of_x(self.h), self.of_u());
+        [
             combine(&[(q[0], u[0]), (r[0], x[0])]),
             combine(&[(q[0] / 3.0, u[1]), (q[1] / 1.5, u[0]), (r[1] / 3.0, x[0]), (r[0] / 1.5, x[1])]),
             combine(&[(q[2] / 3.0, u[0]), (q[1] / 1.5, u[1]), (r[0] / 3.0, x[2]), (r[1] / 1.5, x[1])]),
-        ])
+        ]
     }
 
     /// Bernstein coefficients of the bracket of the jerk of one of the axes.
     #[inline]
     pub fn bracket(&self, axis: &Derivatives) -> Forms {
-        let x = of_x(self.h);
-        let (u, w) = ([[0.0, 1.0, 0.0], [0.0, 1.0, self.h]], [0.0, 0.0, 1.0]);
-        let Derivatives { q1: q, q2: r, q3: t, is_bent } = *axis;
-        if is_bent {
-            let triple = r.map(|r| 3.0 * r);
-            return product(4, [(&q[..], &[w][..]), (&triple[..], &u[..]), (&t[..], &x[..])]);
+        if axis.is_bent {
+            let (x, u, w) = (of_x(self.h), self.of_u(), [0.0, 0.0, 1.0]);
+            let triple = axis.q2.map(|r| 3.0 * r);
+            return product(4, [(&axis.q1[..], &[w][..]), (&triple[..], &u[..]), (&axis.q3[..], &x[..])]);
         }
-        let t = t[0];
-        Forms::three([
+        Forms::three(self.bracket_of_cubic(axis))
+    }
+
+    #[inline]
+    fn bracket_of_cubic(&self, Derivatives { q1: q, q2: r, q3: t, .. }: &Derivatives) -> [[f64; 3]; 3] {
+        let (x, u, w, t) = (of_x(self.h), self.of_u(), [0.0, 0.0, 1.0], t[0]);
+        [
             combine(&[(q[0], w), (3.0 * r[0], u[0]), (t, x[0])]),
             combine(&[(q[1], w), (1.5 * r[0], u[1]), (1.5 * r[1], u[0]), (t, x[1])]),
             combine(&[(q[2], w), (3.0 * r[1], u[1]), (t, x[2])]),
-        ])
+        ]
+    }
+
+    /// `(x, u, w)` → Bernstein coefficients of u.
+    fn of_u(&self) -> [[f64; 3]; 2] {
+        [[0.0, 1.0, 0.0], [0.0, 1.0, self.h]]
     }
 
     /// Bernstein coefficients of `cap`.
@@ -337,29 +355,36 @@ impl Cell<'_> {
         let mut jerk = 0.0f64;
         let mut most = xs.iter().zip(self.caps()).fold(0.0f64, |m, (x, cap)| m.max(x.abs() / cap));
         for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
-            for g in self.acceleration(axis).iter() {
-                most = most.max(dot(g, v).abs() / a_max);
-            }
-            let forms = self.bracket(axis);
-            let mut worst = 0.0f64;
-            for k in 0..=8 {
-                let f = 0.125 * f64::from(k);
-                let (a, b, c) = ((1.0 - f) * (1.0 - f), 2.0 * f * (1.0 - f), f * f);
-                let x: f64 = (a * xs[0] + b * xs[1] + c * xs[2]).max(0.0);
-                let j = match *forms {
-                    // Of a quadratic every other place will do.
-                    [_, _, _] if k % 2 == 1 => continue,
-                    [p, q, r] => a * dot(&p, v) + b * dot(&q, v) + c * dot(&r, v),
-                    _ => {
-                        let share = |i: usize| choose(4, i) * f.powi(i as i32) * (1.0 - f).powi(4 - i as i32);
-                        forms.iter().enumerate().map(|(i, g)| share(i) * dot(g, v)).sum()
-                    }
-                };
-                worst = worst.max(j * j * x);
-            }
-            jerk = jerk.max(worst / (j_max * j_max));
+            let [acceleration, squared] = if axis.is_bent { self.bent(axis, v, &xs) } else { self.cubic(axis, v, &xs) };
+            most = most.max(acceleration / a_max);
+            jerk = jerk.max(squared / (j_max * j_max));
         }
         most.max(jerk.cbrt())
+    }
+
+    /// Greatest acceleration and square of the jerk of an axis of degree 3 at places of the cell.
+    #[inline]
+    fn cubic(&self, axis: &Derivatives, v: &[f64; 3], xs: &[f64; 3]) -> [f64; 2] {
+        let most = self.acceleration_of_cubic(axis).iter().fold(0.0f64, |m, g| m.max(dot(g, v).abs()));
+        let bracket = self.bracket_of_cubic(axis).map(|g| dot(&g, v));
+        let squared = |f: f64| {
+            let shares = quadratic(f);
+            let (x, j) = (dot(&shares, xs).max(0.0), dot(&shares, &bracket));
+            j * j * x
+        };
+        [most, [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().fold(0.0f64, |m, f| m.max(squared(f)))]
+    }
+
+    /// The same of degree 5.
+    fn bent(&self, axis: &Derivatives, v: &[f64; 3], xs: &[f64; 3]) -> [f64; 2] {
+        let most = self.acceleration(axis).iter().fold(0.0f64, |m, g| m.max(dot(g, v).abs()));
+        let bracket = self.bracket(axis).of.map(|g| dot(&g, v));
+        let squared = |f: f64| {
+            let share = |i: usize| choose(4, i) * f.powi(i as i32) * (1.0 - f).powi(4 - i as i32);
+            let j: f64 = bracket.iter().enumerate().map(|(i, q)| share(i) * q).sum();
+            j * j * dot(&quadratic(f), xs).max(0.0)
+        };
+        [most, (0..=8).fold(0.0f64, |m, k| m.max(squared(0.125 * f64::from(k))))]
     }
 
     /// From rest over the whole cell with constant jerk: the greatest ṡ² at its end within all

@@ -171,14 +171,20 @@ impl Model<2, 3> for Window<'_> {
         let whole = self.whole(i, v);
         let x: [f64; 3] = std::array::from_fn(|b| dot(&bernstein[b], &whole).max(self.floor[i][b]));
         let inverse = x.map(|x| 1.0 / x.sqrt());
-        let places: [f64; 6] = std::array::from_fn(|b| mixed(&x, b));
-        let inverses = places.map(|x| 1.0 / x.sqrt());
+        let own = self.rows.jerk(i);
+        // Places between are those of cells of degree 5 alone.
+        let between = if own.iter().any(|j| j.b >= 3) { 6 } else { 3 };
+        let (mut places, mut inverses) = ([0.0; 6], [0.0; 6]);
+        for b in 0..between {
+            places[b] = mixed(&x, b);
+            inverses[b] = if b < 3 { inverse[b] } else { 1.0 / places[b].sqrt() };
+        }
         // A jerk within 1/√x, by the tangent of that. Kept at the Bernstein coefficients it is kept
         // up to `jensen` between them.
         let share = 1.0 / jensen(x);
         let first = 3 + self.rows.linear(i).len();
         let mut sums = [0.0; 3];
-        for (k, Jerk { b, g }) in (first..).zip(self.rows.jerk(i)) {
+        for (k, Jerk { b, g }) in (first..).zip(own) {
             let slope = 0.5 * share * inverses[*b] / places[*b];
             let row = if *b < 3 { bernstein[*b] } else { at_place(&bernstein, *b) };
             let g = std::array::from_fn(|c| g[c] + slope * row[c]);

@@ -24,8 +24,10 @@
 //! [`HELD_MM`]. A place without a partner, as on an edge, whose ball is that of the curvature, has
 //! none.
 
+use super::mesh::topology;
 use super::part::Part;
 use super::{Point, Vector};
+use crate::error::{Error, Infeasible, Result, Stage};
 
 /// The ball of a pair holds nothing of the part by more than this, mm.
 pub const HELD_MM: f64 = 1e-6;
@@ -38,6 +40,34 @@ const SAME: f64 = 1e-12;
 const BEYOND: f64 = 1e-5;
 /// A ball that touches again nearer than this share of its radius touches at one place.
 const ONE_PLACE: f64 = 1e-3;
+
+/// Whether a part has an inside, for balls to be in: its mesh has no open edges, winds one way and
+/// encloses a volume. Bodies may touch along edges.
+///
+/// # Errors
+/// `Infeasible`, with what is wrong and where.
+pub fn has_inside(part: &Part, stage: Stage) -> Result<()> {
+    let refuse =
+        |message: String, advice: &str| Err(Error::infeasible(stage, message, Infeasible::NoPairs).advise(advice));
+    let t = topology(&part.mesh);
+    if t.open_edges > 0 {
+        return refuse(
+            format!("the part is open, so it has no inside: {} edges have one facet alone", t.open_edges),
+            "`inspect` prints where the openings are; close the mesh (--close-holes), or export the solid",
+        );
+    }
+    if t.inconsistent_edges > 0 || part.mesh.volume_mm3() <= 0.0 {
+        let wrong = match t.inconsistent_edges {
+            0 => String::new(),
+            n => format!(": the facets at {n} edges wind against one another"),
+        };
+        return refuse(
+            format!("the part encloses no volume, its surface is inside out or folded on itself{wrong}"),
+            "export the solid, with normals that point outwards",
+        );
+    }
+    Ok(())
+}
 
 /// A place on the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]

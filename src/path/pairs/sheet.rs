@@ -11,8 +11,7 @@ use crate::artifact::paired::{BallContact, PairPlace, RowEnd};
 use crate::artifact::region::{Area, Region};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
-use crate::geometry::mesh::topology;
-use crate::geometry::opposite::{Pair, Place, partner, partner_across_creases};
+use crate::geometry::opposite::{Pair, Place, has_inside, partner, partner_across_creases};
 use crate::geometry::profile::Sides;
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
@@ -84,12 +83,7 @@ impl<'a> Sheet<'a> {
                 "take the CAD model with its exact faces (STEP or IGES)",
             ));
         }
-        if !topology(&part.mesh).closed() || part.mesh.volume_mm3() <= 0.0 {
-            return Err(no_pairs(
-                "the part has no inside: it is open, or inside out".into(),
-                "export the solid, with normals that point outwards",
-            ));
-        }
+        has_inside(part, Stage::Path)?;
         let Some(airfoil) = blade.regions.first(Area::Airfoil) else {
             return Err(no_pairs("no airfoil was found on the part".into(), "say where it is: --faces or --region"));
         };

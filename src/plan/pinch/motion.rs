@@ -12,10 +12,11 @@ use crate::artifact::paired::{BallContact, PinchMotion, StretchMotion};
 use crate::artifact::{Axes, AxisRows};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::feed;
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 use crate::machine::Machine;
 use crate::observe::Observer;
 use crate::plan::Setup;
+use crate::tool::lowest_mm;
 
 /// Room beyond what the part turns in, mm.
 const ROOM_MM: f64 = 5.0;
@@ -35,11 +36,8 @@ pub fn motion(setup: &Setup, pinch: &Pinch, observer: &dyn Observer) -> Result<O
     }
     let leans = setup.pinch_cones().map(|c| c.lean_rad);
     let gauges = [setup.job.tool.length_mm(); 2];
-    let off_table = |p: &Point| machine.off_table_axis_mm(p).unwrap_or(p.y.hypot(p.z));
-    let bodies = std::iter::once(&setup.blade.part).chain(setup.obstacles.iter().map(|o| &o.part));
-    let farthest = bodies.map(|b| b.mesh.points.iter().map(off_table).fold(0.0, f64::max) + b.deflection_mm);
-    // Heights of tools are over the blade axis, which may lie beside the table's.
-    let turning_mm = farthest.fold(0.0, f64::max) + off_table(&Point::origin());
+    // Two heads share a table.
+    let turning_mm = machine.turns_within_mm(&setup.part_among()).unwrap_or(f64::INFINITY);
     let options = setup.feed_options();
     let feed_mm_s = setup.job.feed.feed_mm_min / 60.0;
     let mut stretches = Vec::with_capacity(pinch.held.len());
@@ -136,15 +134,11 @@ fn lifted(
     let mut lifts = [0.0; 2];
     let lifted = [0, 1].map(|j| {
         let theta = theta_rad + if j == 0 { 0.0 } else { between_rad };
-        let (s, c) = theta.sin_cos();
-        let height = centres[j].y * c + centres[j].z * s;
-        // What of the tool lies lowest along the plane's normal, under its ball centre.
-        let under = setup.job.tool.segments().iter().fold(setup.job.tool.radius_mm, |under, segment| {
-            let lowest = |z: f64, r: f64| r * leans[j].sin().abs() - z * leans[j].cos();
-            under.max(lowest(segment.z0, segment.r0)).max(lowest(segment.z1, segment.r1))
-        });
-        lifts[j] = ((turning_mm + ROOM_MM + under - height) / leans[j].cos()).max(0.0);
-        centres[j] + cones[j].tool_axis(theta) * lifts[j]
+        let (axis, out) = (cones[j].tool_axis(theta), Vector::new(0.0, theta.cos(), theta.sin()));
+        let tool = &setup.job.tool;
+        let height = lowest_mm(&tool.segments(), tool.radius_mm, &centres[j], &axis, &out);
+        lifts[j] = ((turning_mm + ROOM_MM - height) / leans[j].cos()).max(0.0);
+        centres[j] + axis * lifts[j]
     });
     (lifts, lifted)
 }

@@ -54,10 +54,11 @@ use super::gouge::{self, Gouge};
 use super::sweep::Sweep;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, CheckId};
+use crate::artifact::{Blade, CheckId, PartAmong};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::near_disc::DiscSearch;
+use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::parallel;
 use crate::read::program::{self, Bench, Block, Script};
@@ -268,22 +269,26 @@ fn audit_moves(
     Ok((report::report(&scene, checks, &heights), ToolCut::new(cutting, widest)))
 }
 
-/// The check `program-rapids`: the whole tool in the rapids of some moves; `None` where none is
-/// known from its beginning.
+/// The check `program-rapids`: the whole tool in the rapids of some moves, to the part and to what
+/// stands about it; `None` where none is known from its beginning.
 ///
 /// # Errors
 /// As [`audit`] where a move turns too far to be followed.
-pub fn rapids(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench) -> Result<Option<Check>> {
+pub fn rapids(text: &str, moves: &[program::Moved], part: &PartAmong, bench: &Bench) -> Result<Option<Check>> {
     let moves: Vec<program::Moved> = moves.iter().filter(|m| m.seconds.is_none()).copied().collect();
-    let legs = Legs::new(&moves, bench)?;
-    let part = Allowed::new(&blade.part, 0.0);
-    let (options, turns) = (&AuditOptions::default(), vec![0; legs.stands.len()]);
-    let scene = AuditScene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns };
-    let found = checks::rapid(&scene);
-    Ok(found.map(|f| {
-        let line = f.line.map_or_else(String::new, |l| format!("line {l}; "));
-        Check { id: CheckId::ProgramRapids, note: format!("{line}{}", f.check.note), ..f.check }
-    }))
+    let (blade, legs) = (part.blade, Legs::new(&moves, bench)?);
+    let options = &AuditOptions::default();
+    let to = |body: &Part, name: &str| {
+        let (part, turns) = (Allowed::new(body, 0.0), vec![0; legs.stands.len()]);
+        let found = checks::rapid(&AuditScene { blade, part, bench, options, text, moves: &moves, legs: &legs, turns });
+        found.map(|f| {
+            let line = f.line.map_or_else(String::new, |l| format!("line {l}; "));
+            Check { id: CheckId::ProgramRapids, note: format!("{line}{name}{}", f.check.note), ..f.check }
+        })
+    };
+    let about = part.obstacles.iter().map(|o| to(&o.part, &format!("{}: ", o.name)));
+    let all = std::iter::once(to(&blade.part, "")).chain(about).flatten();
+    Ok(all.reduce(|least, c| if c.worst < least.worst { c } else { least }))
 }
 
 /// The check `program-travel`: every axis over all moves of a program, rapids, approach and retract

@@ -12,7 +12,7 @@
 //! | `program-chord` | distance of the ball centre from the plan's path *within* each cutting line, the control moving every word evenly |
 //! | `program-joints` | jumps of the first three derivatives of ball centre and rotary axes where two polynomial lines of a programmed curve meet, over what rounding and a hundredth of the greatest third derivative allow (page of `joints.rs`) |
 //! | `program-missing` | distance of each cutter location from the program's path: a line that is missing shows |
-//! | `program-rapids` | least distance of the whole tool to the part in rapids, those between operations among them |
+//! | `program-rapids` | least distance of the whole tool to the part and what stands about it in rapids, those between operations among them |
 //! | `program-travel` | how far an axis leaves its travel in any move, rapids, approach and retract among them |
 //! | `program-feed` | time of each cutting line against the plan's between the places where it begins and ends |
 //! | `program-time` | whole time of the cutting lines against the plan's |
@@ -38,7 +38,7 @@ pub(super) use setting::{Finding, end, theirs};
 use super::audit;
 use crate::artifact::program::{Asked, Language, Program};
 use crate::artifact::report::Check;
-use crate::artifact::{Blade, CheckId, Plan};
+use crate::artifact::{CheckId, PartAmong, Plan};
 use crate::error::Result;
 use crate::machine::Machine;
 use crate::read::program::{Bench, Zero, follow_each, read};
@@ -48,8 +48,14 @@ use crate::tool::Tool;
 ///
 /// # Errors
 /// As [`read`], and where a line cannot be reached by the machine.
-pub fn read_back(program: &Program, plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine) -> Result<Vec<Check>> {
-    read_back_each(program, &[Operation { plan, tool }], blade, machine)
+pub fn read_back<'a>(
+    program: &Program,
+    plan: &Plan,
+    part: impl Into<PartAmong<'a>>,
+    tool: &Tool,
+    machine: &Machine,
+) -> Result<Vec<Check>> {
+    read_back_each(program, &[Operation { plan, tool }], part, machine)
 }
 
 /// A plan and its tool, as one of several that a program was made from.
@@ -66,12 +72,13 @@ pub struct Operation<'a> {
 ///
 /// # Errors
 /// As [`read_back`], and where the program does not call as many tools as there are operations.
-pub fn read_back_each(
+pub fn read_back_each<'a>(
     program: &Program,
     operations: &[Operation],
-    blade: &Blade,
+    part: impl Into<PartAmong<'a>>,
     machine: &Machine,
 ) -> Result<Vec<Check>> {
+    let part = part.into();
     let script = read(&program.text, program.language)?;
     let (language, zero) = (program.language, Zero::default());
     let benches: Vec<Bench> = operations.iter().map(|o| Bench { language, zero, tool: o.tool, machine }).collect();
@@ -79,10 +86,10 @@ pub fn read_back_each(
     let mut out = vec![setting::end(CheckId::ProgramEnd, &script).of_own(program)];
     for (k, ((o, bench), moves)) in operations.iter().zip(&benches).zip(&moves).enumerate() {
         let blocks = script.blocks_of(moves);
-        let mut found = compare::checks(program, moves, o.plan, blade, o.tool, machine);
+        let mut found = compare::checks(program, moves, o.plan, part.blade, o.tool, machine);
         found.extend(setting::own(&script, blocks, program.asked.get(k), o.tool).map(|f| f.of_own(program)));
-        found.extend(audit::rapids(&program.text, moves, blade, bench)?);
-        found.extend(audit::travel(&program.text, moves, blade, bench)?);
+        found.extend(audit::rapids(&program.text, moves, &part, bench)?);
+        found.extend(audit::travel(&program.text, moves, part.blade, bench)?);
         if operations.len() > 1 {
             found.iter_mut().for_each(|c| c.note = format!("operation {}; {}", k + 1, c.note));
         }

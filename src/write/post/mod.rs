@@ -22,12 +22,13 @@
 //! On the plan's leads, tangential to the path ([`crate::artifact::Lead`]), at the plan's times:
 //! they are written like cuts. Before and after them, or from and to the path itself where there is
 //! no room for an arc, straight along the tool axis, from and to a distance at which a plane
-//! perpendicular to the tool axis separates the whole tool from a sphere around the part centred on
-//! the axis of `A`: there `A` may turn freely. The way is clear wherever the tool is clear at its
-//! end, because the tool nowhere narrows towards the spindle (where a holder does, the header says
-//! so) and because the ball leaves its contact at once (contact below the ball's equator: checked).
-//! Between the equator and a taper that leaves the ball at half angle τ the swept ball is at most
-//! `R (1 − cos τ)` wider than the tool itself, which is less than any sensible clearance.
+//! perpendicular to the tool axis separates the whole tool from a sphere around the part and what
+//! stands about it, centred on the axis of `A`: there `A` may turn freely. The way is clear
+//! wherever the tool is clear at its end, because the tool nowhere narrows towards the spindle
+//! (where a holder does, the header says so) and because the ball leaves its contact at once
+//! (contact below the ball's equator: checked). Between the equator and a taper that leaves the
+//! ball at half angle τ the swept ball is at most `R (1 − cos τ)` wider than the tool itself, which
+//! is less than any sensible clearance.
 //!
 //! ## Several operations
 //! [`join`] writes finished plans one after another, each whole: a program of operations is as true
@@ -57,13 +58,16 @@ pub use settings::{PostKeys, PostSettings};
 use std::borrow::Cow;
 
 use crate::artifact::program::Programmed;
-use crate::artifact::{Axes, Blade, CheckReport, Plan, Program, Stand};
+use crate::artifact::{Axes, Blade, CheckReport, PartAmong, Plan, Program, Stand};
 use crate::error::{Error, Infeasible, Result, Stage};
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 use crate::machine::Machine;
 use crate::settings::with_settings;
 use crate::tool::Tool;
 use crate::verify::{self, Verified};
+
+/// Room before an end of travel for the rounding of words, mm.
+const ROUNDING_MM: f64 = 1e-3;
 
 /// What a program says beyond its positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +86,8 @@ pub struct PostOptions {
     pub smoothing_axis_deg: f64,
     /// Begin with this turn, from 1, to go on after a break; `None`: with the first.
     pub from_turn: Option<usize>,
+    /// Which blade of the wheel it is, from 1, and how many there are, where each is machined.
+    pub blade: Option<[u32; 2]>,
 }
 
 with_settings!(PostOptions, PostSettings);
@@ -96,6 +102,7 @@ impl Default for PostOptions {
             settings: PostSettings::default(),
             smoothing_axis_deg: 0.05,
             from_turn: None,
+            blade: None,
         }
     }
 }
@@ -137,15 +144,15 @@ pub fn planned<'a>(plan: &'a Plan, options: &PostOptions) -> Result<Cow<'a, Plan
 /// match, numbers that are not finite, times that do not grow) or a block is too long; `Infeasible`
 /// where the contact at an end of the path lies above the ball's equator, so that the tool cannot
 /// leave along its axis.
-pub fn post(
+pub fn post<'a>(
     dialect: &Dialect,
     plan: &Verified<Plan>,
-    blade: &Blade,
+    part: impl Into<PartAmong<'a>>,
     tool: &Tool,
     machine: &Machine,
     options: &PostOptions,
 ) -> Result<Program> {
-    join(dialect, &[Operation { plan, tool, options }], 1, blade, machine)
+    join(dialect, &[Operation { plan, tool, options }], 1, part, machine)
 }
 
 /// A checked plan with its tool, as one of several of a program.
@@ -166,13 +173,14 @@ pub struct Operation<'a> {
 /// # Errors
 /// Those of [`post`] of each; `Usage` where there is none, or two with the same tool number have
 /// different tools.
-pub fn join(
+pub fn join<'a>(
     dialect: &Dialect,
     operations: &[Operation],
     first: usize,
-    blade: &Blade,
+    part: impl Into<PartAmong<'a>>,
     machine: &Machine,
 ) -> Result<Program> {
+    let part = part.into();
     different_tools_have_different_numbers(operations)?;
     let of_lathe = machine.axes().iter().find_map(|axis| match axis {
         axis if axis.is_missing => Some(format!("has no {}", axis.name)),
@@ -198,11 +206,11 @@ pub fn join(
             plan,
             report: o.plan.report(),
             forced: o.plan.forced(),
-            blade,
+            blade: part.blade,
             tool: o.tool,
             machine,
             options: o.options,
-            ends: ends(plan, blade, o.tool, machine, o.options)?,
+            ends: ends(plan, &part, o.tool, machine, o.options)?,
         });
     }
     let Some(start) = runs.first() else {
@@ -292,9 +300,9 @@ impl OperationRun<'_> {
 
 /// The outer ends of the leads, or first and last location where they are straight, with their safe
 /// positions.
-fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[WayEnd; 2]> {
+fn ends(plan: &Plan, part: &PartAmong, tool: &Tool, machine: &Machine, options: &PostOptions) -> Result<[WayEnd; 2]> {
     moves::well_formed(plan)?;
-    let sphere = sphere_on_axis(blade);
+    let sphere = sphere_on_axis(part, machine);
     let end = |row: usize, name: &str, outer: Option<Stand>| -> Result<WayEnd> {
         let at = plan.toolpath.locations.get(row).zip(plan.stand(row)).zip(plan.motion.position.get(row));
         let Some(((at, foot), near)) = at else {
@@ -334,13 +342,15 @@ fn ends(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, options: &Po
     ])
 }
 
-/// Centre on the blade axis and radius of a sphere around the part: turning `A` maps it onto
-/// itself.
-fn sphere_on_axis(blade: &Blade) -> (Point, f64) {
-    let points = &blade.part.mesh.points;
-    let (lo, hi) = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p.x), hi.max(p.x)));
-    let centre = Point::new(if points.is_empty() { 0.0 } else { 0.5 * (lo + hi) }, 0.0, 0.0);
-    (centre, points.iter().map(|p| (p - centre).norm()).fold(0.0, f64::max))
+/// Centre and radius of a sphere around the part and what stands about it. The centre is on the
+/// axis that turns them, so turning maps the sphere onto itself; on the blade axis where none does.
+fn sphere_on_axis(part: &PartAmong, machine: &Machine) -> (Point, f64) {
+    let points: Vec<&Point> = part.bodies().flat_map(|b| &b.mesh.points).collect();
+    let (foot, along) = machine.turning_line().unwrap_or((Point::origin(), Vector::x()));
+    let heights = points.iter().map(|p| (*p - foot).dot(&along));
+    let (lo, hi) = heights.fold((f64::MAX, f64::MIN), |(lo, hi), h| (lo.min(h), hi.max(h)));
+    let centre = foot + along * if points.is_empty() { 0.0 } else { 0.5 * (lo + hi) };
+    (centre, points.iter().map(|p| (*p - centre).norm()).fold(0.0, f64::max))
 }
 
 /// How far the tool can go along its axis from a location before a linear axis meets the end of its
@@ -352,7 +362,7 @@ fn travel_along(machine: &Machine, stand: &Stand, near: &[f64], gauge: f64) -> f
         let (Some([lo, hi]), rate) = (machine.axes()[i].limits.travel, to[i] - from[i]) else { continue };
         if rate.abs() > 1e-9 {
             let room = if rate > 0.0 { hi - from[i] } else { lo - from[i] };
-            reach = reach.min((room / rate).max(0.0));
+            reach = reach.min((room / rate - ROUNDING_MM).max(0.0));
         }
     }
     reach

@@ -72,7 +72,7 @@ mod tests {
         let with = |worst: f64, options: &PostOptions, file: &PostFile| {
             let mut report = sample::report();
             report.checks[0].worst = worst;
-            let ends = ends(&plan, &blade, &tool, &machine, options).unwrap();
+            let ends = ends(&plan, &(&blade).into(), &tool, &machine, options).unwrap();
             let (plan, report) = (&plan, &report);
             let (blade, tool, machine) = (&blade, &tool, &machine);
             of(&OperationRun { number: 1, plan, report, forced: false, blade, tool, machine, options, ends }, file)

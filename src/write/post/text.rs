@@ -218,6 +218,9 @@ pub(super) fn title(run: &OperationRun, lines: &mut Lines, control: &str) {
 pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, lines: &mut Lines) {
     let (o, t, path) = (run.options, run.tool, &run.plan.toolpath);
     lines.comment(&format!("Part     {}  file {}", run.blade.name, o.part_file));
+    if let Some([blade, of]) = o.blade {
+        lines.comment(&format!("Blade    {blade} of {of} of the wheel"));
+    }
     lines.comment(&format!("Hash     {}", o.part_hash));
     lines.comment(&format!("Job      {}", o.job));
     lines.comment(&format!("Machine  {}", run.machine.name));

@@ -120,7 +120,7 @@ fn both_programs_come_and_go_along_the_tool_axis_from_outside_the_turning_part()
             let way = to - from;
             assert!(way.cross(&axis).norm() < 1e-4 && way.dot(&axis) > 0.0);
             // The plane under the ball has the whole sphere around the part on its other side.
-            let (c, radius) = sphere_on_axis(&sample::blade());
+            let (c, radius) = sphere_on_axis(&(&sample::blade()).into(), &machine);
             assert!((to - c).dot(&axis) - tool.radius_mm > radius + 19.99);
         }
         assert!(p.text.contains("Unwind of A"));
