@@ -17,6 +17,9 @@ use crate::geometry::nurbs::foot::{ParameterSpace, SurfaceFoot};
 /// A loop point farther from its surface than this is an error, mm.
 const OFF_SURFACE_MM: f64 = 0.05;
 
+/// Corners of a ring, about, by which it is told where it lies.
+const NESTED_AT: usize = 16;
+
 /// A closed polygon in the parameter plane.
 #[derive(Clone, Debug, Default)]
 pub struct TrimRing {
@@ -147,10 +150,35 @@ pub fn rings_of(
         }
     }
     projector.join_wound(wound, options, &mut out)?;
+    nest(&mut out.rings, &space);
     if out.rings.is_empty() {
         return Err(face_error(face, "has no loop of any length"));
     }
     Ok(out)
+}
+
+/// Moves rings along closed directions by whole periods so that they lie in the largest one: each
+/// was unrolled by itself, and a hole beside the outer ring would be a piece of surface.
+fn nest(rings: &mut [TrimRing], space: &ParameterSpace) {
+    let size = |r: &TrimRing| r.signed_area().abs();
+    let largest = (0..rings.len()).max_by(|a, b| size(&rings[*a]).total_cmp(&size(&rings[*b])));
+    let Some(outer) = largest.filter(|_| rings.len() > 1 && space.closed.contains(&true)) else { return };
+    let outer_ring = rings[outer].clone();
+    let steps = |along: usize| if space.closed[along] { [0.0, -1.0, 1.0].iter() } else { [0.0].iter() };
+    for ring in rings.iter_mut().enumerate().filter(|(k, _)| *k != outer).map(|(_, r)| r) {
+        let stride = ring.nodes.len().div_ceil(NESTED_AT);
+        let inside = |by: [f64; 2]| {
+            let at = ring.nodes.iter().step_by(stride).map(|n| [n.uv[0] + by[0], n.uv[1] + by[1]]);
+            at.filter(|uv| outer_ring.holds(*uv)).count()
+        };
+        let shifts = steps(0).flat_map(|i| steps(1).map(move |j| [i * space.period(0), j * space.period(1)]));
+        // The first of those that are as good: where it is, if it can stay there.
+        let best = shifts.map(|by| (inside(by), by)).reduce(|a, b| if b.0 > a.0 { b } else { a });
+        let Some((_, [u, v])) = best else { continue };
+        for n in &mut ring.nodes {
+            n.uv = [n.uv[0] + u, n.uv[1] + v];
+        }
+    }
 }
 
 fn poles_of(surface: &NurbsSurface, tolerance: f64) -> Vec<Pole> {
@@ -426,6 +454,16 @@ impl TrimRing {
             RingCorner { chord: side.chord, against: !side.against, seam: side.seam, ..node }
         };
         TrimRing { nodes: (0..n).rev().map(turned).collect() }
+    }
+
+    /// Whether a place of the parameter plane is within the ring.
+    fn holds(&self, [u, v]: [f64; 2]) -> bool {
+        let n = self.nodes.len();
+        let crosses = |k: &usize| {
+            let (a, b) = (self.nodes[*k].uv, self.nodes[(k + 1) % n].uv);
+            (a[1] > v) != (b[1] > v) && u < a[0] + (v - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+        };
+        (0..n).filter(crosses).count() % 2 == 1
     }
 
     /// Area in the parameter plane, positive counter-clockwise.
