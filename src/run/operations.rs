@@ -69,7 +69,7 @@ fn steps(runs: &[Done], every_blade: bool) -> Result<Vec<Step<'_>>> {
 ///
 /// # Errors
 /// `Usage` where runs are not of the same part in the same frame on the same machine, or there is
-/// no such operation; those of [`Setup::on_blade`], [`post::join`] and of
+/// no such operation; those of [`crate::plan::Setup::on_blade`], [`post::join`] and of
 /// [`verify::read_back::read_back_each`].
 pub fn join(runs: &[Done], dialect: &Dialect, extent: Extent) -> Result<(Option<Program>, Vec<Check>)> {
     let (from, steps) = (extent.from, steps(runs, extent.every_blade)?);
