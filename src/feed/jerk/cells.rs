@@ -26,20 +26,50 @@ const MOST_BY_RATE: f64 = 16.0;
 pub(in crate::feed) type Limits = Axes<[f64; 3]>;
 
 /// Bernstein coefficients of `q'`, `q''` and `q'''` of one axis over one cell, by scaled arc
-/// length. Of a cubic the first 3, 2 and 1 of them count, the others are 0.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Derivatives {
+/// length. Those of degree 5 lie apart: most axes are cubics, and reading them takes the time.
+#[derive(Clone, Debug)]
+pub(super) enum Derivatives {
+    Cubic { q1: [f64; 3], q2: [f64; 2], q3: [f64; 1] },
+    Quintic(Box<QuinticDerivatives>),
+}
+
+/// The same of degree 5.
+#[derive(Clone, Debug)]
+pub(super) struct QuinticDerivatives {
     pub q1: [f64; 5],
     pub q2: [f64; 4],
     pub q3: [f64; 3],
-    /// Of degree 5.
-    pub is_bent: bool,
+}
+
+impl Default for Derivatives {
+    fn default() -> Self {
+        Derivatives::Cubic { q1: [0.0; 3], q2: [0.0; 2], q3: [0.0] }
+    }
 }
 
 impl Derivatives {
     /// Bernstein coefficients of `q'`.
     pub fn first(&self) -> &[f64] {
-        if self.is_bent { &self.q1 } else { &self.q1[..3] }
+        match self {
+            Derivatives::Cubic { q1, .. } => q1,
+            Derivatives::Quintic(own) => &own.q1,
+        }
+    }
+
+    /// Those of `q''`.
+    pub fn second(&self) -> &[f64] {
+        match self {
+            Derivatives::Cubic { q2, .. } => q2,
+            Derivatives::Quintic(own) => &own.q2,
+        }
+    }
+
+    /// Those of `q'''`.
+    pub fn third(&self) -> &[f64] {
+        match self {
+            Derivatives::Cubic { q3, .. } => q3,
+            Derivatives::Quintic(own) => &own.q3,
+        }
     }
 }
 
@@ -193,25 +223,21 @@ fn cell<'a>(
             let (q1, q2, q3) = bernstein(quintic, a, h);
             let line = of_velocity(&q1, caps.velocity(i, k, limits[k][0]), own);
             cap = [cap[0].min(line[0]), cap[1].min(line[1])];
-            *axis = Derivatives {
+            *axis = Derivatives::Quintic(Box::new(QuinticDerivatives {
                 q1: q1.map(|v| v * l),
                 q2: q2.map(|v| v * l * l),
                 q3: q3.map(|v| v * l * l * l),
-                is_bent: true,
-            };
+            }));
             continue;
         }
         let [_, b, c, d] = curve.cubic(i, k);
         let first = |t: f64| b + t * (2.0 * c + 3.0 * t * d);
         let second = |t: f64| 2.0 * c + 6.0 * t * d;
         let q1 = [first(a), first(a) + 0.5 * h * second(a), first(a + h)];
-        let [s0, s1] = [second(a), second(a + h)].map(|v| v * l * l);
-        let [f0, f1, f2] = q1.map(|v| v * l);
-        *axis = Derivatives {
-            q1: [f0, f1, f2, 0.0, 0.0],
-            q2: [s0, s1, 0.0, 0.0],
-            q3: [6.0 * d * l * l * l, 0.0, 0.0],
-            is_bent: false,
+        *axis = Derivatives::Cubic {
+            q1: q1.map(|v| v * l),
+            q2: [second(a), second(a + h)].map(|v| v * l * l),
+            q3: [6.0 * d * l * l * l],
         };
         let line = of_velocity(&q1, caps.velocity(i, k, limits[k][0]), own);
         cap = [cap[0].min(line[0]), cap[1].min(line[1])];
@@ -289,15 +315,16 @@ impl Cell<'_> {
     /// next cell's first.
     #[inline]
     pub fn acceleration(&self, axis: &Derivatives) -> Forms {
-        if axis.is_bent {
-            let (x, u) = (of_x(self.h), self.of_u());
-            return product(5, [(&axis.q1[..], &u[..]), (&axis.q2[..], &x[..])]);
+        match axis {
+            Derivatives::Cubic { q1, q2, .. } => Forms::three(self.acceleration_of_cubic(q1, q2)),
+            Derivatives::Quintic(own) => {
+                product(5, [(&own.q1[..], &self.of_u()[..]), (&own.q2[..], &of_x(self.h)[..])])
+            }
         }
-        Forms::three(self.acceleration_of_cubic(axis))
     }
 
     #[inline]
-    fn acceleration_of_cubic(&self, Derivatives { q1: q, q2: r, .. }: &Derivatives) -> [[f64; 3]; 3] {
+    fn acceleration_of_cubic(&self, q: &[f64; 3], r: &[f64; 2]) -> [[f64; 3]; 3] {
         let (x, u) = (of_x(self.h), self.of_u());
         [
             combine(&[(q[0], u[0]), (r[0], x[0])]),
@@ -309,17 +336,19 @@ impl Cell<'_> {
     /// Bernstein coefficients of the bracket of the jerk of one of the axes.
     #[inline]
     pub fn bracket(&self, axis: &Derivatives) -> Forms {
-        if axis.is_bent {
-            let (x, u, w) = (of_x(self.h), self.of_u(), [0.0, 0.0, 1.0]);
-            let triple = axis.q2.map(|r| 3.0 * r);
-            return product(4, [(&axis.q1[..], &[w][..]), (&triple[..], &u[..]), (&axis.q3[..], &x[..])]);
+        match axis {
+            Derivatives::Cubic { q1, q2, q3 } => Forms::three(self.bracket_of_cubic(q1, q2, q3[0])),
+            Derivatives::Quintic(own) => {
+                let (x, u, w) = (of_x(self.h), self.of_u(), [[0.0, 0.0, 1.0]]);
+                let triple = own.q2.map(|r| 3.0 * r);
+                product(4, [(&own.q1[..], &w[..]), (&triple[..], &u[..]), (&own.q3[..], &x[..])])
+            }
         }
-        Forms::three(self.bracket_of_cubic(axis))
     }
 
     #[inline]
-    fn bracket_of_cubic(&self, Derivatives { q1: q, q2: r, q3: t, .. }: &Derivatives) -> [[f64; 3]; 3] {
-        let (x, u, w, t) = (of_x(self.h), self.of_u(), [0.0, 0.0, 1.0], t[0]);
+    fn bracket_of_cubic(&self, q: &[f64; 3], r: &[f64; 2], t: f64) -> [[f64; 3]; 3] {
+        let (x, u, w) = (of_x(self.h), self.of_u(), [0.0, 0.0, 1.0]);
         [
             combine(&[(q[0], w), (3.0 * r[0], u[0]), (t, x[0])]),
             combine(&[(q[1], w), (1.5 * r[0], u[1]), (1.5 * r[1], u[0]), (t, x[1])]),
@@ -341,8 +370,8 @@ impl Cell<'_> {
     pub fn steady(&self, limits: &Limits) -> f64 {
         let mut most = self.cap[0].min(self.cap[1]);
         for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
-            most = most.min(a_max / greatest(&axis.q2));
-            most = most.min((j_max / greatest(&axis.q3)).powf(2.0 / 3.0));
+            most = most.min(a_max / greatest(axis.second()));
+            most = most.min((j_max / greatest(axis.third())).powf(2.0 / 3.0));
         }
         most
     }
@@ -355,7 +384,10 @@ impl Cell<'_> {
         let mut jerk = 0.0f64;
         let mut most = xs.iter().zip(self.caps()).fold(0.0f64, |m, (x, cap)| m.max(x.abs() / cap));
         for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
-            let [acceleration, squared] = if axis.is_bent { self.bent(axis, v, &xs) } else { self.cubic(axis, v, &xs) };
+            let [acceleration, squared] = match axis {
+                Derivatives::Cubic { q1, q2, q3 } => self.cubic((q1, q2, q3[0]), v, &xs),
+                Derivatives::Quintic(_) => self.quintic(axis, v, &xs),
+            };
             most = most.max(acceleration / a_max);
             jerk = jerk.max(squared / (j_max * j_max));
         }
@@ -364,9 +396,9 @@ impl Cell<'_> {
 
     /// Greatest acceleration and square of the jerk of an axis of degree 3 at places of the cell.
     #[inline]
-    fn cubic(&self, axis: &Derivatives, v: &[f64; 3], xs: &[f64; 3]) -> [f64; 2] {
-        let most = self.acceleration_of_cubic(axis).iter().fold(0.0f64, |m, g| m.max(dot(g, v).abs()));
-        let bracket = self.bracket_of_cubic(axis).map(|g| dot(&g, v));
+    fn cubic(&self, (q1, q2, q3): (&[f64; 3], &[f64; 2], f64), v: &[f64; 3], xs: &[f64; 3]) -> [f64; 2] {
+        let most = self.acceleration_of_cubic(q1, q2).iter().fold(0.0f64, |m, g| m.max(dot(g, v).abs()));
+        let bracket = self.bracket_of_cubic(q1, q2, q3).map(|g| dot(&g, v));
         let squared = |f: f64| {
             let shares = quadratic(f);
             let (x, j) = (dot(&shares, xs).max(0.0), dot(&shares, &bracket));
@@ -376,7 +408,7 @@ impl Cell<'_> {
     }
 
     /// The same of degree 5.
-    fn bent(&self, axis: &Derivatives, v: &[f64; 3], xs: &[f64; 3]) -> [f64; 2] {
+    fn quintic(&self, axis: &Derivatives, v: &[f64; 3], xs: &[f64; 3]) -> [f64; 2] {
         let most = self.acceleration(axis).iter().fold(0.0f64, |m, g| m.max(dot(g, v).abs()));
         let bracket = self.bracket(axis).of.map(|g| dot(&g, v));
         let squared = |f: f64| {
@@ -394,7 +426,7 @@ impl Cell<'_> {
         let h = self.h;
         let mut u = self.cap[0].min(self.cap[1]) / (1.5 * h);
         for (axis, [_, a_max, j_max]) in self.axes.iter().zip(limits.iter()) {
-            let (q1, q2, q3) = (greatest(&axis.q1), greatest(&axis.q2), greatest(&axis.q3));
+            let (q1, q2, q3) = (greatest(axis.first()), greatest(axis.second()), greatest(axis.third()));
             u = u.min(a_max / (q1 + 1.5 * h * q2));
             let jerk = q1 / (6.0 * h).sqrt() + 3.0 * q2 * (1.5 * h).sqrt() + q3 * (1.5 * h).powf(1.5);
             u = u.min((j_max / jerk).powf(2.0 / 3.0));

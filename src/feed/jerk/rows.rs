@@ -172,19 +172,19 @@ fn decisive(p: &Cell, limits: &Limits) -> Axes<bool> {
     let (mut u, mut w) = (f64::INFINITY, f64::INFINITY);
     let each = || p.axes.iter().zip(limits.iter());
     for (axis, [_, a_max, _]) in each() {
-        u = u.min((a_max + greatest(&axis.q2) * cap) / least(axis.first()));
+        u = u.min((a_max + greatest(axis.second()) * cap) / least(axis.first()));
     }
-    let rest = |axis: &Derivatives| 3.0 * greatest(&axis.q2) * u * speed + greatest(&axis.q3) * cap * speed;
+    let rest = |axis: &Derivatives| 3.0 * greatest(axis.second()) * u * speed + greatest(axis.third()) * cap * speed;
     for (axis, [_, _, j_max]) in each() {
         w = w.min((j_max + rest(axis)) / least(axis.first()));
     }
     Axes::from_fn(limits.len(), |k| {
         let (axis, [_, a_max, j_max]) = (&p.axes[k], limits[k]);
-        let q = greatest(&axis.q1);
-        if q == 0.0 && axis.q2 == [0.0; 4] {
+        let q = greatest(axis.first());
+        if q == 0.0 && axis.second().iter().all(|v| *v == 0.0) {
             return false;
         }
-        let (a, j) = (q * u + greatest(&axis.q2) * cap, q * w + rest(axis));
+        let (a, j) = (q * u + greatest(axis.second()) * cap, q * w + rest(axis));
         !(a < a_max && j < j_max)
     })
 }

@@ -214,7 +214,7 @@ fn length(problem: &Problem) -> usize {
     let mut ramps: Vec<f64> = Vec::with_capacity(problem.inner.len());
     for c in problem.inner {
         let u = (0..problem.limits.len())
-            .map(|k| problem.limits[k][1] / greatest(&c.axes[k].q1))
+            .map(|k| problem.limits[k][1] / greatest(c.axes[k].first()))
             .fold(f64::INFINITY, f64::min);
         ramps.push(0.5 * c.steady(problem.limits) / (u * c.h));
     }

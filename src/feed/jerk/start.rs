@@ -66,7 +66,7 @@ struct Allowed {
 
 impl Allowed {
     fn of(c: &Cell, limits: &Limits) -> Allowed {
-        let u = (0..limits.len()).map(|k| limits[k][1] / greatest(&c.axes[k].q1)).fold(f64::INFINITY, f64::min);
+        let u = (0..limits.len()).map(|k| limits[k][1] / greatest(c.axes[k].first())).fold(f64::INFINITY, f64::min);
         Allowed { x: STEADY * c.steady(limits), u: RISE * u }
     }
 
