@@ -44,6 +44,7 @@ fn other_blades(blade: &Blade, wheel: &Wheel) -> Vec<Obstacle> {
             clearance_mm: CLEARANCE_MM + blade.part.deflection_mm,
             holder_clearance_mm: HOLDER_CLEARANCE_MM + blade.part.deflection_mm,
             cut_by_the_tool: false,
+            of_the_wheel: false,
         })
         .collect()
 }

@@ -38,4 +38,6 @@ pub struct Obstacle {
     pub holder_clearance_mm: f64,
     /// Material that the cutter may go through: only the holder must keep clear of it.
     pub cut_by_the_tool: bool,
+    /// It is the same seen from every blade of the wheel: the other blades, the hub.
+    pub of_the_wheel: bool,
 }

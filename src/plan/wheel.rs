@@ -86,7 +86,7 @@ impl Setup {
     pub fn on_blade(&self, plan: &Verified<Plan>, number: u32) -> Result<Verdict<Plan>> {
         let (wheel, sense) = self.turns_wheel()?;
         let (column, turn) = (self.machine.turning_axis(), wheel.turn_to(number));
-        let by_rad = sense * TAU * f64::from(number - 1) / f64::from(wheel.blades);
+        let by_rad = sense * TAU * f64::from(number.saturating_sub(1)) / f64::from(wheel.blades);
         let by_rad = self.within_travel(plan.value(), column, by_rad).map_err(|e| {
             let what = format!("blade {number} of {}: {}", wheel.blades, e.message);
             Error { message: what, ..e }
@@ -136,7 +136,7 @@ pub(super) fn bodies(
         let mut part = Part::from_mesh(mesh);
         part.deflection_mm = deflection_mm;
         let [clearance_mm, holder_clearance_mm] = [channel.clearance_mm, channel.holder_clearance_mm];
-        Obstacle { name, part, clearance_mm, holder_clearance_mm, cut_by_the_tool: false }
+        Obstacle { name, part, clearance_mm, holder_clearance_mm, cut_by_the_tool: false, of_the_wheel: true }
     };
     let off_mm = blade.part.deflection_mm;
     let other = |k: u32| blade.part.mesh.clone().moved(&wheel.turn_to(k));

@@ -106,6 +106,7 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
         clearance_mm: 0.1,
         holder_clearance_mm: 1.0,
         cut_by_the_tool: false,
+        of_the_wheel: false,
     };
     let why = said(&sample::blade(), &machine, &[clamp]).unwrap();
     assert!(why.contains("the clamp"), "{why}");
@@ -128,6 +129,7 @@ fn the_ball_of_a_lead_keeps_clear_of_other_bodies() {
         clearance_mm: 0.0,
         holder_clearance_mm: 0.0,
         cut_by_the_tool: false,
+        of_the_wheel: false,
     };
     let failing = |obstacles: &[Obstacle]| {
         let room = Room { blade: &blade, stock_mm: 0.0, obstacles, tool: &tool, machine: &machine, options: &options };

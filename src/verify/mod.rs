@@ -88,6 +88,7 @@ use crate::artifact::{Blade, CheckReport, Obstacle, Plan};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Rigid;
 use crate::geometry::allowance::Allowed;
+use crate::geometry::part::Part;
 use crate::machine::Machine;
 use crate::observe::{Observer, Warning};
 use crate::tool::Tool;
@@ -178,10 +179,12 @@ pub fn check_among(
 }
 
 /// A checked plan on an equal blade of its wheel: the turn of the wheel that brings the blade in
-/// hand to the other one, and how much farther a rotary axis then stands, rad. The turn carries
-/// part, bodies and tool alike, so what was found of the one blade holds for a copy of it. Where
-/// the model has the blades itself (`own`), ball, tool and leads are measured again, on the model
-/// turned back, and how far the other blade is off the ball where it should touch.
+/// hand to the other one, and how much farther a rotary axis then stands, rad.
+///
+/// The turn carries wheel and tool alike, so what was found of the one blade holds for a copy of
+/// it. Two things are measured again, seen from the other blade: where the model has the blades
+/// itself (`own`), ball, tool and leads against it, and how far that blade is off the ball where it
+/// should touch; and what stands about the part and is not of the wheel, as fixtures.
 pub fn on_other_blade(
     plan: &Verified<Plan>,
     (turn, column, by_rad): (&Rigid, usize, f64),
@@ -191,18 +194,28 @@ pub fn on_other_blade(
 ) -> Verdict<Plan> {
     let (first, mut report) = (plan.value(), plan.report().clone());
     let Workspace { blade, obstacles, tool, machine } = *workspace;
-    if own {
-        let blade = &Blade { part: blade.part.clone().moved(&turn.inverse()), ..blade.clone() };
+    if own || obstacles.iter().any(|o| !o.of_the_wheel) {
+        let seen = |part: &Part| part.clone().moved(&turn.inverse());
+        let moved = own.then(|| Blade { part: seen(&blade.part), ..blade.clone() });
+        let blade = moved.as_ref().unwrap_or(blade);
+        let about =
+            |o: &Obstacle| if o.of_the_wheel { o.clone() } else { Obstacle { part: seen(&o.part), ..o.clone() } };
+        let obstacles: Vec<Obstacle> = obstacles.iter().map(about).collect();
         let stock_mm = first.toolpath.stock_mm;
         let (part, sweep) = (Allowed::new(&blade.part, stock_mm), sweep::Sweep::new(&first.toolpath));
-        report.checks = vec![gouge::check(blade, &part, &sweep, options).0];
-        report.checks.push(gouge::check_touches(blade, &part, &sweep, options));
-        report.checks.extend(clearance::check(first, blade, &apart::apart(blade, obstacles, tool, options), options).0);
-        report.checks.extend(lead::check(first, &lead::Room { blade, stock_mm, obstacles, tool, machine, options }));
+        let mut again = vec![gouge::check(blade, &part, &sweep, options).0];
+        again.extend(own.then(|| gouge::check_touches(blade, &part, &sweep, options)));
+        again.extend(gouge::check_obstacles(blade, &obstacles, &sweep, options));
+        again.extend(clearance::check(first, blade, &apart::apart(blade, &obstacles, tool, options), options).0);
+        let room = lead::Room { blade, stock_mm, obstacles: &obstacles, tool, machine, options };
+        again.extend(lead::check(first, &room));
+        report.checks.retain(|c| again.iter().all(|a| a.id != c.id));
+        report.checks.extend(again);
     }
-    let turned = first.turned(turn, column, by_rad);
-    match Verdict::of(turned, report) {
-        Verdict::Passed(v) if plan.forced() => Verdict::Passed(v.as_forced()),
+    match Verdict::of(first.turned(turn, column, by_rad), report) {
+        // The user has asked for the program all the same.
+        Verdict::Failed(found) if plan.forced() => Verdict::Passed(found.write_anyway()),
+        Verdict::Passed(found) if plan.forced() => Verdict::Passed(found.as_forced()),
         verdict => verdict,
     }
 }

@@ -184,6 +184,7 @@ fn fixture(mesh: crate::geometry::mesh::Mesh, cut_by_the_tool: bool) -> crate::a
         clearance_mm: 0.5,
         holder_clearance_mm: 0.5,
         cut_by_the_tool,
+        of_the_wheel: false,
     }
 }
 

@@ -67,6 +67,7 @@ pub fn obstacle(
         clearance_mm: room_mm[0],
         holder_clearance_mm: room_mm[1],
         cut_by_the_tool: stock,
+        of_the_wheel: false,
     })
 }
 
