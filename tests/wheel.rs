@@ -82,7 +82,8 @@ fn on_blades(setup: &Setup, plans: &[Verified<Plan>], control: Control) -> (Prog
 }
 
 /// The wheel's axis goes on from blade to blade, and each blade comes back as planned: in axis
-/// positions, over the part, and as vectors. Turned the wrong way it does not.
+/// positions, over the part, and as vectors. The program of one blade does not come back as the
+/// plan of another.
 #[test]
 fn every_blade_of_a_wheel_comes_back_as_planned() {
     for name in ["demo_table_head.toml", "trunnion_ac.toml"] {
@@ -106,7 +107,16 @@ fn every_blade_of_a_wheel_comes_back_as_planned() {
             let (program, checks) = on_blades(&setup, &plans, control);
             let failed: Vec<_> = checks.iter().filter(|c| !c.passed).collect();
             assert!(failed.is_empty(), "{name} {control}: {failed:?}");
+            assert!(program.text.lines().count() > 100);
             assert_eq!(program.text.matches("Operation 4 of 4").count(), 1);
+            let (program, checks) =
+                setup.program(&Dialect::built_in(control).expect("a dialect"), &first).expect("a program");
+            let failed: Vec<_> = checks.iter().filter(|c| !c.passed).collect();
+            assert!(failed.is_empty(), "{name} {control}: {failed:?}");
+            let (part, tool) = (setup.part_among(), &setup.job.tool);
+            let other = read_back::read_back(&program, plans[1].value(), part, tool, &setup.machine).expect("checks");
+            let failed: Vec<_> = other.iter().filter(|c| !c.passed).map(|c| c.id.clone()).collect();
+            assert!(failed.contains(&CheckId::ProgramMissing), "{name} {control}: {failed:?}");
         }
         let column = setup.machine.turning_axis();
         let turned =
@@ -233,6 +243,9 @@ fn what_cannot_be_is_refused_with_its_place() {
     }
     let e = of_prism::setup(&without_wheel(), &[], machine("demo_table_head.toml")).err().expect("no wheel");
     assert!(e.message.contains("the job has no section wheel"), "{e}");
+    let round = setup(&["orientation.kind=\"cone\""], machine("demo_table_head.toml")).expect("a setup");
+    let e = round.blades_in_turn().expect_err("the blade turns about itself");
+    assert!(e.kind == ErrorKind::Usage && e.message.contains("turns the one blade about itself"), "{e}");
 }
 
 /// The prism so many times about the rotor axis of [`JOB`], as one model; the second one larger
