@@ -113,6 +113,7 @@ fn helix(count: usize) -> Toolpath {
         kind: PathKind::ConstantHeight,
         stock_mm: 0.0,
         radius_mm: RADIUS_MM,
+        disc_radius_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.001,
         region_x_mm: [30.0, 8.0],

@@ -64,6 +64,7 @@ fn along(locations: Vec<CutterLocation>) -> Toolpath {
     Toolpath {
         kind: PathKind::default(),
         radius_mm: 8.0,
+        disc_radius_mm: 0.0,
         stock_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.001,

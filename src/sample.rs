@@ -114,6 +114,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
         kind: crate::artifact::toolpath::PathKind::default(),
         stock_mm: 0.0,
         radius_mm: radius,
+        disc_radius_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.002,
         region_x_mm: [x0, x0 + pitch * turns as f64],

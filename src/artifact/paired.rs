@@ -120,6 +120,7 @@ impl PairedRows {
         Toolpath {
             kind: PathKind::Given,
             radius_mm: self.radius_mm[tool],
+            disc_radius_mm: 0.0,
             stock_mm: self.stock_mm,
             scallop_mm: self.scallop_mm,
             chord_mm: self.chord_mm,

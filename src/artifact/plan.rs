@@ -1,6 +1,6 @@
 //! Everything that a program is made from, bundled for the checks.
 use super::{AxisMotion, Channel, Cone, Lead, ProgrammedCurve, Schedule, Stand, Toolpath};
-use crate::geometry::Rigid;
+use crate::geometry::{Point, Rigid};
 
 /// A complete plan, one row of each part per cutter location.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -70,6 +70,23 @@ impl Plan {
             stretch: Stretch::Turn(l.turn),
         });
         before.rows(cone_in, Stretch::LeadIn).chain(path).chain(after.rows(cone_out, Stretch::LeadOut))
+    }
+
+    /// The places whose speed is the feed, row by row as [`Plan::rows`]: the ball's centre; of a cutter
+    /// with a corner, the centre of that, over the contact.
+    pub fn feed_points(&self) -> Vec<Point> {
+        let mut out: Vec<Point> = self.rows().map(|r| r.stand.centre).collect();
+        if self.toolpath.disc_radius_mm > 0.0 {
+            let corners = self.toolpath.of_corner().locations;
+            let first = self.leads[0].centres.len();
+            // On a lead it goes as the disc does.
+            let aside = |k: usize| Some(corners.get(k)?.centre - self.toolpath.locations.get(k)?.centre);
+            let last = corners.len().saturating_sub(1);
+            for (row, point) in out.iter_mut().enumerate() {
+                *point += aside(row.saturating_sub(first).min(last)).unwrap_or_default();
+            }
+        }
+        out
     }
 
     /// Where the tool stands at a location; `None` where there is none.

@@ -1,11 +1,13 @@
-//! The parts of a tool above its ball.
+//! The parts of a tool.
 
 use std::fmt;
 
-/// A part of the tool above its ball. In files it is its name: `taper`, `shank`, `holder 1`.
+/// A part of the tool. In files it is its name: `cutter`, `taper`, `shank`, `holder 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(into = "String", try_from = "String")]
 pub enum ToolPart {
+    /// The bottom of a cutter that is no ball, with its corner.
+    Cutter,
     /// The cone behind the ball.
     Taper,
     /// The cylinder between the cone and the holder.
@@ -24,6 +26,7 @@ impl ToolPart {
 impl fmt::Display for ToolPart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            ToolPart::Cutter => f.write_str("cutter"),
             ToolPart::Taper => f.write_str("taper"),
             ToolPart::Shank => f.write_str("shank"),
             ToolPart::Holder(stage) => write!(f, "holder {stage}"),
@@ -42,6 +45,7 @@ impl TryFrom<String> for ToolPart {
 
     fn try_from(name: String) -> Result<Self, String> {
         match name.as_str() {
+            "cutter" => Ok(ToolPart::Cutter),
             "taper" => Ok(ToolPart::Taper),
             "shank" => Ok(ToolPart::Shank),
             _ => {
@@ -58,7 +62,7 @@ mod tests {
 
     #[test]
     fn names_come_back() {
-        for part in [ToolPart::Taper, ToolPart::Shank, ToolPart::Holder(1), ToolPart::Holder(12)] {
+        for part in [ToolPart::Cutter, ToolPart::Taper, ToolPart::Shank, ToolPart::Holder(1), ToolPart::Holder(12)] {
             assert_eq!(ToolPart::try_from(part.to_string()), Ok(part));
         }
         for name in ["", "holder", "holder 0", "holder -1", "ball"] {

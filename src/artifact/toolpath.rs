@@ -93,8 +93,12 @@ pub struct Turn {
 pub struct Toolpath {
     /// How the turns lie.
     pub kind: PathKind,
-    /// Ball radius, mm.
+    /// Radius of the ball, or of the corner of a cutter that is none, mm.
     pub radius_mm: f64,
+    /// Radius of the disc that the corner rolls over, mm: locations have its centre for that of a ball.
+    /// Arc lengths are those of the corner's centre, which touches where a ball of its radius would.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub disc_radius_mm: f64,
     /// Stock left on the part for a later pass, mm; contacts lie on its surface.
     pub stock_mm: f64,
     /// Scallop asked for, mm.
@@ -115,6 +119,10 @@ pub struct Toolpath {
     /// Locations in order.
     #[serde(with = "locations")]
     pub locations: Vec<CutterLocation>,
+}
+
+fn is_none(disc_radius_mm: &f64) -> bool {
+    *disc_radius_mm == 0.0
 }
 
 /// Locations in files: a table of numbers.
@@ -188,6 +196,16 @@ impl Toolpath {
         let l = self.locations.get(row).or(self.locations.last());
         let (turn, turn_s_mm, height_mm) = l.map_or((0, 0.0, 0.0), |l| (l.turn, l.turn_s_mm, l.centre.x));
         Along { location: row, turn, turn_s_mm, height_mm }
+    }
+
+    /// The path of the corner's centres: of balls as large as the corner, with the same contacts.
+    #[must_use]
+    pub fn of_corner(&self) -> Self {
+        let mut out = Toolpath { disc_radius_mm: 0.0, ..self.clone() };
+        if self.disc_radius_mm > 0.0 {
+            out.locations.iter_mut().for_each(|l| l.centre = l.contact + l.normal * self.radius_mm);
+        }
+        out
     }
 
     /// The same path with other tool axes.

@@ -232,6 +232,7 @@ pub fn sweep_b(
     leans: Leans,
     observer: &dyn Observer,
 ) -> Result<Vec<Width>> {
+    tool.ball_only("widths against B are found")?;
     check_input(tool, path, options)?;
     let options = &ChannelOptions { travel: Vec::new(), ..options.clone() };
     WidthSearch::new(around, path, leans.places, observer).sweep(tool, options, leans.b_deg)
@@ -249,6 +250,7 @@ pub fn advise(
     b_deg: &[f64],
     observer: &dyn Observer,
 ) -> Result<Advice> {
+    tool.ball_only("advice is given")?;
     check_input(tool, path, options)?;
     // Travel of linear axes changes with lean and stick-out: what is advised is without it.
     let options = &ChannelOptions { travel: Vec::new(), ..options.clone() };

@@ -14,6 +14,13 @@ pub(super) enum Witness {
         /// Leaf of the tree over the body's triangles.
         leaf: u32,
     },
+    /// The bottom of a cutter with a corner, against a triangle of a body: 0 is the part.
+    Cutter {
+        /// The body.
+        body: u16,
+        /// Triangle of its mesh.
+        triangle: u32,
+    },
     /// The permitted range of contact angle.
     Contact,
     /// A limit of the rotary axis.

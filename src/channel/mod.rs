@@ -48,6 +48,7 @@ mod ball;
 mod bound;
 mod chain;
 mod clear;
+mod cornered;
 mod forbidden;
 mod front;
 mod lanes;
@@ -178,16 +179,22 @@ impl<'a> Surroundings<'a> {
     }
 
     fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> ObstacleScene<'s> {
+        self.scene_with(tool, options, 0.0)
+    }
+
+    /// As [`Self::scene`], the tool keeping clear by so much more, mm.
+    fn scene_with<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions, more_mm: f64) -> ObstacleScene<'s> {
         let part = &self.blade.part;
         let mut bodies = Vec::new();
         let mut trees = self.trees.iter();
         if let Some(tree) = trees.next() {
             let room = [options.settings.clearance_mm, options.settings.holder_clearance_mm];
-            let profile = ToolProfile::new(tool, room, self.part_off_mm);
+            let profile = ToolProfile::new(tool, room.map(|mm| mm + more_mm), self.part_off_mm);
             bodies.push(ObstacleBody { name: "part", mesh: &part.mesh, tree, profile });
         }
         for (o, tree) in self.obstacles.iter().zip(trees) {
-            let whole = ToolProfile::new(tool, [o.clearance_mm, o.holder_clearance_mm], o.part.deflection_mm);
+            let room = [o.clearance_mm, o.holder_clearance_mm].map(|mm| mm + more_mm);
+            let whole = ToolProfile::new(tool, room, o.part.deflection_mm);
             let profile = if o.cut_by_the_tool { whole.holder() } else { whole };
             bodies.push(ObstacleBody { name: &o.name, mesh: &o.part.mesh, tree, profile });
         }
@@ -227,7 +234,14 @@ pub fn intervals(
     // Places between two locations have no row of their own.
     let samples: Vec<Sample> =
         samples::along(path, f64::INFINITY, options.sweep).into_iter().filter(|s| s.fraction == 0.0).collect();
-    let layers = surroundings.layers(tool, &scene, (&samples, path), observer)?;
+    let layers = match tool.is_ball() {
+        true => surroundings.layers(tool, &scene, (&samples, path), observer)?,
+        false => {
+            let mut layers = cornered::layers(surroundings, tool, options, (&samples, path), observer)?;
+            within_axes(options, &samples, &mut layers);
+            layers
+        }
+    };
     let named = |f: &Free| FreeInterval {
         theta_min: f.lo,
         theta_max: f.hi,
@@ -267,18 +281,28 @@ pub fn plan_among(
     ball::check(path, surroundings.blade, surroundings.obstacles)?;
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
-    let samples = samples::along(path, options.max_step_mm, options.sweep);
+    let samples = match tool.is_ball() {
+        true => samples::along(path, options.max_step_mm, options.sweep),
+        false => samples::along_finely(path, options.max_step_mm, cornered::TURN_RAD, options.sweep),
+    };
     // What moves are proven against, the index, gives the ends then: one that lay farther out would
     // only be moved in again, and its neighbours with it.
-    let layers = if options.settings.prove_moves {
+    let layers = if !tool.is_ball() {
+        let mut layers = cornered::layers(surroundings, tool, options, (&samples, path), observer)?;
+        within_axes(options, &samples, &mut layers);
+        layers
+    } else if options.settings.prove_moves {
         layers(&scene, &samples, observer)?
     } else {
         surroundings.layers(tool, &scene, (&samples, path), observer)?
     };
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
-    let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians())
-        .map_err(|c| reporter.closed(&layers, c.at))?;
+    let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians()).map_err(|c| {
+        let of_cutter = || cornered::closed(surroundings, tool, options, (&reporter, c.at));
+        let own = (!tool.is_ball() && layers[c.at].is_empty()).then(of_cutter).flatten();
+        own.unwrap_or_else(|| reporter.closed(&layers, c.at))
+    })?;
     let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
     let mut lifts = Vec::new();
     if options.settings.prove_moves || !options.prove_at.is_empty() {

@@ -135,7 +135,7 @@ impl Reporter<'_> {
 
     /// The height at which the turn of this location begins, mm (of a helix that rises: ends): the
     /// turns above do without the location. `None` where fewer than two whole turns are left.
-    fn above(&self, row: usize) -> Option<f64> {
+    pub fn above(&self, row: usize) -> Option<f64> {
         let turn = self.path.locations.get(row)?.turn as usize;
         if self.path.region_x_mm[1] > self.path.region_x_mm[0] {
             let next = self.path.turns.get(turn + 1).filter(|_| turn + 3 <= self.path.turns.len())?.first;
@@ -148,7 +148,7 @@ impl Reporter<'_> {
         Some(if own > begin { own + pitch } else { begin })
     }
 
-    fn at(&self, row: usize) -> At {
+    pub fn at(&self, row: usize) -> At {
         at(self.path, row, |p| self.blade.model_from_blade * p)
     }
 
@@ -173,7 +173,7 @@ impl Reporter<'_> {
         out
     }
 
-    fn place(&self, row: usize) -> String {
+    pub fn place(&self, row: usize) -> String {
         let Some(l) = self.path.locations.get(row) else { return format!("location {row}") };
         let p = self.blade.model_from_blade * l.centre;
         format!(
@@ -300,6 +300,7 @@ fn advice_for(ends: &[Binding]) -> String {
             Binding::Part { tool, .. } | Binding::Fixture { tool, .. } if tool.is_holder() => {
                 add("let the tool stick out farther or take a slimmer holder");
             }
+            Binding::Part { tool: ToolPart::Cutter, .. } => add("let the cutter lean more, or take a narrower one"),
             Binding::Part { tool: ToolPart::Taper, .. } => add("take a slimmer taper or less clearance"),
             Binding::Fixture { .. } => add("move the fixture, or let it keep less clearance"),
             Binding::Part { .. } => add("take a slimmer or longer shank, or less clearance"),

@@ -42,6 +42,11 @@ impl Sample {
 
 /// All places in order; azimuths unwrapped from the first one's, which lies within -π..=π.
 pub(super) fn along(path: &Toolpath, max_step_mm: f64, sweep: Sweep) -> Vec<Sample> {
+    along_finely(path, max_step_mm, MAX_TURN_RAD, sweep)
+}
+
+/// As [`along`], the surface normal turning by no more than so much from place to place, rad.
+pub(super) fn along_finely(path: &Toolpath, max_step_mm: f64, max_turn_rad: f64, sweep: Sweep) -> Vec<Sample> {
     let mut out: Vec<Sample> = Vec::with_capacity(path.locations.len() * 2);
     let mut azimuth = 0.0;
     let mut push = |row: usize, fraction: f64, centre: Point, normal: Vector| {
@@ -56,7 +61,7 @@ pub(super) fn along(path: &Toolpath, max_step_mm: f64, sweep: Sweep) -> Vec<Samp
         let turn = here.normal.angle(&next.normal);
         let lean = (path.cone(row + 1).lean_rad - path.cone(row).lean_rad).abs();
         let parts =
-            (length / max_step_mm).max(turn / MAX_TURN_RAD).max(lean / MAX_LEAN_RAD).ceil().clamp(1.0, 1000.0) as usize;
+            (length / max_step_mm).max(turn / max_turn_rad).max(lean / MAX_LEAN_RAD).ceil().clamp(1.0, 1000.0) as usize;
         for k in 1..parts {
             let f = k as f64 / parts as f64;
             let normal = here.normal.lerp(&next.normal, f).try_normalize(1e-9).unwrap_or(here.normal);

@@ -16,10 +16,12 @@ section! {
         /// Least angle between tool axis and surface normal, degrees.
         /// Near the tip of the ball the cutting speed vanishes; a pivot B of a few degrees keeps walls
         /// parallel to the blade axis away from the tip already. A limit above 0 cuts the channel in
-        /// two wherever the normal comes near the axis.
+        /// two wherever the normal comes near the axis. A cutter with a corner leans by 3° at least
+        /// where nothing else is asked for, so that the back of its bottom is clear.
         contact_angle_min_deg: f64 = 0.0, 0.0..=90.0;
         /// Greatest angle between tool axis and surface normal, degrees.
-        /// Over 90° the ball would cut with its upper half.
+        /// Over 90° the ball would cut with its upper half. Passes of a cutter with a corner are laid
+        /// for this angle; by default it is 12° then.
         contact_angle_max_deg: f64 = 90.0, s.contact_angle_min_deg..=180.0;
         /// Least and greatest offset of the tool from the blade axis, mm: the Y of the ball centre where the blade axis is X and the tool comes from +Z.
         /// Default: what the machine's travel leaves. For a lathe with little travel of Y.

@@ -1,5 +1,6 @@
 //! Rows of the channel and their monotone hulls.
 
+use crate::artifact::ToolPart;
 use crate::artifact::channel::{Binding, ChannelRow, Sweep};
 
 use super::arcs::Witness;
@@ -24,6 +25,13 @@ pub(super) fn binding(by: Witness, scene: &ObstacleScene) -> Binding {
             Binding::Travel { axis }
         }
         Witness::Cut => Binding::Free,
+        Witness::Cutter { body, triangle } => {
+            let (Some(b), tool) = (scene.bodies.get(usize::from(body)), ToolPart::Cutter) else { return Binding::Free };
+            match body {
+                0 => Binding::Part { tool, face: b.mesh.face(triangle as usize), triangle },
+                _ => Binding::Fixture { name: b.name.into(), tool, triangle },
+            }
+        }
         Witness::Tool { segment, body, leaf } => {
             let Some(b) = scene.bodies.get(usize::from(body)) else { return Binding::Free };
             let triangle = b.tree.triangle(leaf);

@@ -28,6 +28,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
         kind: crate::artifact::toolpath::PathKind::default(),
         stock_mm: 0.0,
         radius_mm: 1.0,
+        disc_radius_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [0.0, 0.0],

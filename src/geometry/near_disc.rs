@@ -102,7 +102,56 @@ impl Visitor for Nearest<'_> {
     }
 }
 
+/// Looks for anything nearer to a disc than a cap, but about one place.
+struct Cuts<'d> {
+    disc: &'d Disc,
+    cap_mm: f64,
+    /// The place, and how far about it is not looked, mm.
+    spared: (&'d Point, f64),
+    found: Option<Point>,
+}
+
+impl Visitor for Cuts<'_> {
+    fn enters(&mut self, middle: &Point, sides: &[Vector; 3]) -> bool {
+        let size = sides.iter().map(Vector::norm_squared).sum::<f64>().sqrt();
+        let is_spared = (middle - self.spared.0).norm() + size <= self.spared.1;
+        !is_spared && self.disc.least_in_box_mm(middle, sides) < self.cap_mm
+    }
+    fn presses(&mut self, piece: &SeenPiece) -> Option<f64> {
+        if (piece.middle - self.spared.0).norm() + piece.radius <= self.spared.1 {
+            return None;
+        }
+        let bound = self.disc.least_in_hull_mm(&piece.middle, piece.hull);
+        (bound < self.cap_mm).then_some(bound)
+    }
+    fn takes(&mut self, point: &Point) -> bool {
+        let cuts = (point - self.spared.0).norm() > self.spared.1 && self.disc.distance_mm(point) < self.cap_mm;
+        self.found = self.found.or(cuts.then_some(*point));
+        self.found.is_none()
+    }
+    fn state(&self) -> u32 {
+        0
+    }
+}
+
 impl<'a> DiscSearch<'a> {
+    /// A point of the part that is nearer to the disc than `cap_mm`; `spared` is a place about which
+    /// it is not looked on exact faces, no farther than so much, mm. Where a query halves too many
+    /// pieces without an answer, that place.
+    ///
+    /// A cutter touches at such a place, and to tell a touch from a cut takes most of a query.
+    pub fn cut(&mut self, disc: &Disc, cap_mm: f64, spared: (&Point, f64)) -> Option<Point> {
+        let mut look = Cuts { disc, cap_mm, spared, found: None };
+        let own = match &mut self.walker {
+            Some(walker) => {
+                let done = walker.visit(&mut look, MOST_CUTS);
+                look.found.or((!done).then_some(*spared.0))
+            }
+            None => self.closest(disc, cap_mm, 0.0).map(|near| near.at.point),
+        };
+        own.or_else(|| self.published.as_mut()?.cut(disc, cap_mm, spared))
+    }
+
     /// To a part.
     pub fn new(part: &'a Part) -> Self {
         let walker = part.exact().map(|(brep, exact)| Walker::new(exact, brep));

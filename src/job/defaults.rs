@@ -76,7 +76,7 @@ fn early_checks(typed: &JobFile) -> Result<()> {
     }
     let number = |key: &str, value: &dyn Number, range| check(Stage::Job, key, value, &range);
     number("tool.radius_mm", &tool.radius_mm, TINY..=1000.0)?;
-    super::tool::balls_only(&tool)?;
+    super::tool::check_corner(&tool)?;
     number("tool.shank_radius_mm", &tool.shank_radius_mm, TINY..=1000.0)?;
     number("tool.stickout_mm", &tool.stickout_mm, TINY..=10_000.0)?;
     // Twice: a number that is no height at all has a message of its own.
@@ -149,10 +149,11 @@ impl Draft {
         let radius_mm = chosen.tool.radius_mm;
         let start_mm = typed.start_mm.unwrap_or_else(|| default_start(blade, radius_mm));
         let region = RegionSettings { start_mm, end_mm: typed.end_mm, end_faces: typed.end_faces };
-        let path = path_settings(t.path, blade, &region, radius_mm);
+        let path = path_settings(t.path, blade, &region, chosen.tool.corner_mm());
         let schedule = ScheduleSettings::default().with_typed(t.schedule);
         // Along a wall nothing else keeps the tool from the part between two locations.
         let channel = ChannelSettings { prove_moves: schedule.kind.is_wall(), ..ChannelSettings::default() };
+        let channel = if chosen.tool.is_ball() { channel } else { leaning(channel) };
         let channel = channel.with_typed(t.channel);
         let (feed, verify) = (FeedSettings::default(), VerifySettings::default());
         let feed = FeedSettings { lead_radius_mm: radius_mm.max(feed.lead_radius_mm), ..feed };
@@ -202,6 +203,15 @@ impl Draft {
         let file = self.base_dir.join(&body.file);
         Ok(FixtureSettings { file: std::path::absolute(&file).unwrap_or(file), ..body })
     }
+}
+
+/// How far a cutter with a corner leans from the surface normal, degrees: so little leaves wide
+/// strips, and so much keeps the back of its bottom clear of walls that are hardly hollow.
+const LEANS_DEG: [f64; 2] = [3.0, 12.0];
+
+fn leaning(channel: ChannelSettings) -> ChannelSettings {
+    let [contact_angle_min_deg, contact_angle_max_deg] = LEANS_DEG;
+    ChannelSettings { contact_angle_min_deg, contact_angle_max_deg, ..channel }
 }
 
 /// The path as typed, the rest as blade, region and ball ask for.

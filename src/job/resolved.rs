@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::sections::{FixtureSettings, ModelSettings, RegionSettings, WheelSettings};
+use crate::artifact::schedule::ScheduleKind;
 use crate::channel::ChannelSettings;
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedSettings;
@@ -106,6 +107,9 @@ impl Job {
                 return Err(Error::usage(Stage::Job, message).advise(format!("leave out {key} or orientation.kind")));
             }
         }
+        if !self.tool.is_ball() {
+            self.check_cornered()?;
+        }
         if self.region.end_mm.is_some_and(|end| end >= self.region.start_mm) {
             let (a, b) = (self.region.start_mm, self.region.end_mm.unwrap_or_default());
             return Err(Error::usage(
@@ -117,6 +121,41 @@ impl Job {
         }
         if self.post.control.is_empty() && self.post.files.is_empty() {
             return Err(Error::usage(Stage::Job, "post.control is empty, it must name at least one control"));
+        }
+        Ok(())
+    }
+
+    /// What is done with ball-end cutters only.
+    fn check_cornered(&self) -> Result<()> {
+        let kind = self.schedule.kind;
+        let of_balls = [
+            (!self.orientation.kind.goes_round(), "orientation.kind other than cone"),
+            (self.feed.smooth, "feed.smooth"),
+            (self.path.compare, "path.compare"),
+            (self.channel.sweep_b, "channel.sweep_b"),
+            (self.channel.prove_moves, "channel.prove_moves, and schedules along a wall,"),
+            (self.channel.exact_ends, "channel.exact_ends"),
+            (self.channel.offset_mm.is_some(), "channel.offset_mm"),
+            (kind == ScheduleKind::Eccentric, "schedule.kind eccentric"),
+            (kind == ScheduleKind::Even, "schedule.kind even"),
+            (self.cut.is_some(), "the section cut"),
+        ];
+        for (is_asked, what) in of_balls {
+            if is_asked {
+                let corner = self.tool.corner_mm();
+                let message = format!("{what} is for ball-end cutters, but tool.corner_radius_mm is {corner}");
+                return Err(Error::usage(Stage::Job, message).advise("leave it out, or take a ball"));
+            }
+        }
+        if self.channel.contact_angle_min_deg >= self.channel.contact_angle_max_deg
+            || self.channel.contact_angle_max_deg > 90.0
+        {
+            let [least, most] = [self.channel.contact_angle_min_deg, self.channel.contact_angle_max_deg];
+            let message = format!(
+                "a cutter with a corner is to lean by {least}° to {most}°: the first must be less than the second, and that at most 90°"
+            );
+            return Err(Error::usage(Stage::Job, message)
+                .advise("change channel.contact_angle_min_deg or channel.contact_angle_max_deg"));
         }
         Ok(())
     }

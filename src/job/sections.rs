@@ -198,7 +198,7 @@ pub struct ToolKeys {
     /// Ball radius, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_mm: Option<f64>,
-    /// Radius of the corner of a bull-nose or flat cutter, mm; left out, or equal to radius_mm: a ball. Programs of others are checked with such cutters; plans are made for balls only.
+    /// Radius of the corner of a bull-nose or flat cutter, mm; left out, or equal to radius_mm: a ball. Such a cutter leans forwards by channel.contact_angle_min_deg to contact_angle_max_deg.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner_radius_mm: Option<f64>,
     /// Half angle of the cone behind the ball, degrees.

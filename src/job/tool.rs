@@ -63,7 +63,11 @@ impl Chosen {
             (Some(a), _) => format!("holder {} mm", round(2.0 * a.radius_mm)),
             _ => "no holder".into(),
         };
-        format!("ball R {} mm, {neck}, stick-out {} mm, {holder}", round(t.radius_mm), round(t.stickout_mm))
+        let end = match t.corner_radius_mm {
+            Some(corner) => format!("cutter R {} mm, corner R {} mm", round(t.radius_mm), round(corner)),
+            None => format!("ball R {} mm", round(t.radius_mm)),
+        };
+        format!("{end}, {neck}, stick-out {} mm, {holder}", round(t.stickout_mm))
     }
 }
 
@@ -82,12 +86,16 @@ pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, en
     let places = Places::new(blade, start_mm, end_mm);
     let reach_mm = blade.part.mesh.points.iter().map(|p| p.y.hypot(p.z)).fold(0.0, f64::max);
     let needed_mm = |r: f64| up_to_five(1.1 * reach_mm + 2.0 * r);
+    let corner = keys.corner_radius_mm.filter(|corner| Some(*corner) != keys.radius_mm);
     let mut warnings = Vec::new();
     let (cutter, why) = match keys.radius_mm {
         Some(r) => {
-            let warned = if places.is_empty() { None } else { too_large(blade, &places, &catalogue, r) };
+            // What of a cutter comes into fillets and round edges is its corner.
+            let round_mm = corner.unwrap_or(r);
+            let warned = if places.is_empty() { None } else { too_large(blade, &places, &catalogue, round_mm) };
             warnings.extend(warned);
-            (Cutter { radius_mm: r, ..catalogue.cutter_for(r) }, "its ball as given".to_owned())
+            let end = if corner.is_some() { "cutter" } else { "ball" };
+            (Cutter { radius_mm: r, ..catalogue.cutter_for(r) }, format!("its {end} as given"))
         }
         None => {
             let longest_mm = keys.stickout_mm;
@@ -96,7 +104,8 @@ pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, en
         }
     };
     let radius_mm = cutter.radius_mm;
-    let taper_deg = keys.taper_deg.unwrap_or(cutter.taper_deg);
+    // Cutters with a corner are sold straight.
+    let taper_deg = keys.taper_deg.unwrap_or(if corner.is_some() { 0.0 } else { cutter.taper_deg });
     let wanted_mm = keys.stickout_mm.unwrap_or_else(|| needed_mm(radius_mm));
     let shank = if taper_deg > 0.0 { cutter.shank_for(wanted_mm) } else { 2.0 * radius_mm };
     let shank_radius_mm = keys.shank_radius_mm.unwrap_or(0.5 * shank);
@@ -108,16 +117,16 @@ pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, en
     }
     let holder: Vec<HolderStage> =
         keys.holder.clone().unwrap_or_else(|| catalogue.chuck_for(2.0 * shank_radius_mm).stages());
-    let tool = Tool { radius_mm, corner_radius_mm: None, taper_deg, shank_radius_mm, stickout_mm, holder };
+    let tool = Tool { radius_mm, corner_radius_mm: corner, taper_deg, shank_radius_mm, stickout_mm, holder };
     tool.validate()?;
     Ok(Chosen { tool, why, warnings })
 }
 
-/// Refuses cutters with a corner, for which nothing is planned yet.
+/// What is wrong with the corner of a cutter on any blade.
 ///
 /// # Errors
-/// `Usage`: what is wrong with the corner, or that it is one.
-pub(super) fn balls_only(keys: &ToolKeys) -> Result<()> {
+/// `Usage`, with the limit.
+pub(super) fn check_corner(keys: &ToolKeys) -> Result<()> {
     let Some(corner) = keys.corner_radius_mm else { return Ok(()) };
     let Some(radius_mm) = keys.radius_mm else {
         return Err(Error::usage(Stage::Job, "tool.corner_radius_mm is given without tool.radius_mm")
@@ -131,8 +140,7 @@ pub(super) fn balls_only(keys: &ToolKeys) -> Result<()> {
         stickout_mm: 2.0 * radius_mm,
         holder: Vec::new(),
     };
-    tool.validate()?;
-    tool.ball_only("plans are made")
+    tool.validate()
 }
 
 /// The cutter that the part's shape asks for, and why.

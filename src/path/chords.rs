@@ -21,7 +21,7 @@ pub fn tolerance_mm(level: &LevelSet, a: &Touch, b: &Touch, options: &PathOption
     let way = b.centre - a.centre;
     let is_hollow = (b.normal - a.normal).dot(&way) < 0.0;
     let is_edge = level.is_over_facets() || (b.contact - a.contact).norm() > EDGE * way.norm();
-    if is_hollow && !is_edge { IN_HOLLOWS * options.settings.chord_mm } else { options.settings.chord_mm }
+    if is_hollow && !is_edge { IN_HOLLOWS * options.chord_mm() } else { options.chord_mm() }
 }
 
 /// A curve of touches and the tolerance of its chords.
@@ -61,7 +61,7 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
         let length = (r.1.centre - l.1.centre).norm();
         // No convex bend of the path is tighter than the ball: so short a chord is within the
         // tolerance as it is.
-        let safe = length * length <= 8.0 * self.options.radius_mm * self.options.settings.chord_mm;
+        let safe = length * length <= 8.0 * self.options.radius_mm * self.options.chord_mm();
         if safe && depth >= MOST_HALVINGS || depth >= 2 * MOST_HALVINGS {
             return Ok(());
         }
@@ -83,7 +83,7 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
     /// A place on a chord is further from the surface of ball centres than the tolerance. One
     /// closest point tells: where the curve is there is not asked.
     fn leaves(&self, q: &Point) -> bool {
-        let (radius_mm, chord_mm) = (self.options.radius_mm, self.options.settings.chord_mm);
+        let (radius_mm, chord_mm) = (self.options.radius_mm, self.options.chord_mm());
         let near = self.level.part.closest(q, radius_mm + 2.0 * chord_mm);
         near.is_none_or(|c| (c.distance_mm - radius_mm).abs() > chord_mm)
     }
@@ -118,6 +118,7 @@ mod tests {
                 part: Allowed::new(&part, 0.0),
                 along: Along::BLADE,
                 radius_mm: 3.0,
+                inclined: None,
                 rim: None,
                 lowest_mm: f64::NEG_INFINITY,
             };

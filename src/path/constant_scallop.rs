@@ -45,7 +45,6 @@ use super::front::{Across, Fineness, Front, Laid, Node, PATIENCE, Rest};
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{Ring, Tracing};
-use super::stepover::flat_stepover_mm;
 use super::{chords, heights_mm, helix, place, rings, spot};
 use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
@@ -145,7 +144,7 @@ impl<'a> Laying<'a> {
         evens_ways: bool,
         observer: &'a dyn Observer,
     ) -> Result<Self> {
-        let flat_mm = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
+        let flat_mm = options.flat_mm(options.settings.scallop_mm);
         let tracing = rings::tracing_along(options, flat_mm);
         let ring = rings::first_ring(blade, level, options, start_x, &tracing)?;
         let bounds =
@@ -181,10 +180,10 @@ impl<'a> Laying<'a> {
         Front {
             across: Across { level: self.level, bounds: self.bounds, min_step_mm: self.tracing.min_step_mm },
             scallop_mm,
-            flat_mm: flat_stepover_mm(self.options.radius_mm, scallop_mm),
+            flat_mm: self.options.flat_mm(scallop_mm),
             step_mm: self.fineness().touches_to_end.map_or(self.tracing.max_step_mm, |share| self.touches_mm(share)),
             round_mm: self.ring.length_mm,
-            back: 1.0,
+            back: self.fineness().back_to_end,
             evens_ways: self.evens_ways,
             is_path: false,
         }

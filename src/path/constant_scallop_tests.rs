@@ -250,6 +250,7 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
         part: Allowed::new(&blade.part, 0.0),
         along: Along::BLADE,
         radius_mm: R,
+        inclined: None,
         rim: None,
         lowest_mm: f64::NEG_INFINITY,
     };

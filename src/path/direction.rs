@@ -14,6 +14,7 @@ use crate::artifact::{Blade, Toolpath};
 use crate::error::Result;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
+use crate::tool::inclination::Inclined;
 
 /// Lays the path with `downwards` on the mirror image and turns it round.
 ///
@@ -28,7 +29,9 @@ pub fn reversed(
     let regions = blade.regions.mirrored();
     let image = Blade { part: blade.part.mirrored(&Silent)?, regions, diagnosis, ..blade.clone() };
     let start_near = options.start_near.map(|[x, y, z]| [x, y, -z]);
-    let path = downwards(&image, &PathOptions { start_near, ..options.clone() })?;
+    // The image is run through the other way round.
+    let inclined = options.inclined.map(|i| Inclined { rises: !i.rises, ..i });
+    let path = downwards(&image, &PathOptions { start_near, inclined, ..options.clone() })?;
     Ok(turned_round(path))
 }
 

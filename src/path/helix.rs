@@ -4,7 +4,7 @@ use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
 use super::rings::Stack;
-use super::stepover::{decisive_mm, ridge_height};
+use super::stepover::{Pass, decisive_mm, ridge_height};
 use super::{chords, curve};
 use crate::artifact::Cones;
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
@@ -98,6 +98,7 @@ pub fn assemble(
     let path = Toolpath {
         kind: options.settings.kind,
         radius_mm: options.radius_mm,
+        disc_radius_mm: 0.0,
         stock_mm: options.settings.stock_mm,
         scallop_mm: options.settings.scallop_mm,
         chord_mm: options.settings.chord_mm,
@@ -156,7 +157,7 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
             let near = nearest_between_ends(lower, &s_mm, &t.centre, &mut at)?;
             // Off the chord and onto the level set, as for the rings.
             let on_level = level.touch(&near, 0.1 * level.radius_mm)?;
-            ridge_height(level, &t.centre, &on_level.centre)
+            ridge_height(level, &Pass::pair(level, t, &on_level))
         };
         upper.iter().filter_map(ridge).collect()
     })

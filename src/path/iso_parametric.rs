@@ -10,7 +10,6 @@
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::Ring;
-use super::stepover::flat_stepover_mm;
 use super::{chords, helix, rings};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage};
@@ -85,7 +84,7 @@ pub(super) fn plan(
     let meridians = Meridians { level, rings: &stack.rings };
     let ends = [stack.rings[0].x_mm, stack.rings[stack.rings.len() - 1].x_mm];
     let perimeter = stack.rings.iter().map(|r| r.length_mm).fold(0.0, f64::max);
-    let flat = flat_stepover_mm(options.radius_mm, options.settings.scallop_mm);
+    let flat = options.flat_mm(options.settings.scallop_mm);
     // Two hundredths are left for what another measure of the same ridge may see.
     let most = 0.98 * options.settings.scallop_mm;
     let mut n = ((meridians.longest_mm(360) / flat).ceil() as usize).max(1);

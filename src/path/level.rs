@@ -5,6 +5,7 @@ use super::rim::Rim;
 use crate::artifact::along::Along;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
+use crate::tool::inclination::Inclined;
 
 /// A ball that touches the part.
 #[derive(Clone, Copy, Debug)]
@@ -45,10 +46,12 @@ pub struct LevelSet<'a> {
     pub part: Allowed<'a>,
     /// The way along the region that is milled.
     pub along: Along,
-    /// Level, mm: the ball's radius.
+    /// Level, mm: the radius of the ball, or of the corner that rolls over a disc.
     pub radius_mm: f64,
     /// Where the airfoil ends without a platform.
     pub rim: Option<&'a Rim>,
+    /// A cutter with a corner of that radius, which leans forwards; `None`: a ball.
+    pub inclined: Option<Inclined>,
     /// Height below which the ball's centre may not go, mm: the end of the region that was asked
     /// for, or −∞.
     pub lowest_mm: f64,

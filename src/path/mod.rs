@@ -103,7 +103,14 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
     let along = region.along;
     let part = Allowed::new(&blade.part, options.settings.stock_mm);
     let lowest_mm = bounds::lowest_mm(&options.extent.ends);
-    let level = LevelSet { part, along, radius_mm: options.radius_mm, rim: rim.as_ref(), lowest_mm };
+    let level = LevelSet {
+        part,
+        along,
+        radius_mm: options.radius_mm,
+        inclined: options.inclined,
+        rim: rim.as_ref(),
+        lowest_mm,
+    };
     let start_x = start_height(blade, options)?;
     match options.settings.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
@@ -122,7 +129,14 @@ pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<Cutt
     validate(blade, options)?;
     let part = Allowed::new(&blade.part, options.settings.stock_mm);
     let along = region(blade, options)?.along;
-    let level = LevelSet { part, along, radius_mm: options.radius_mm, rim: None, lowest_mm: f64::NEG_INFINITY };
+    let level = LevelSet {
+        part,
+        along,
+        radius_mm: options.radius_mm,
+        inclined: options.inclined,
+        rim: None,
+        lowest_mm: f64::NEG_INFINITY,
+    };
     let ring = rings::first_ring(blade, &level, options, x_mm, &rings::tracing(options))?;
     helix::closed(&level, &ring, options)
 }

@@ -3,7 +3,9 @@
 use super::settings::PathSettings;
 use crate::artifact::region::Extent;
 use crate::machine::MachineSettings;
+use crate::path::stepover::flat_stepover_mm;
 use crate::settings::with_settings;
+use crate::tool::inclination::Inclined;
 
 /// What the helix should be.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,8 +13,10 @@ pub struct PathOptions {
     /// What the job says of it. Where turns begin is said by `start_near`; `start` and `compare`
     /// are not looked at.
     pub settings: PathSettings,
-    /// Ball radius, mm.
+    /// Radius of the ball, or of the corner of a cutter that is none, mm.
     pub radius_mm: f64,
+    /// A cutter with a corner of that radius, which leans forwards along the way; `None`: a ball.
+    pub inclined: Option<Inclined>,
     /// Turns begin at the altered point nearest to this point, blade frame, mm (on a convex
     /// airfoil, at the point nearest to it); `None`: where the path enters the greatest concave
     /// stretch.
@@ -33,9 +37,22 @@ impl PathOptions {
         PathOptions {
             settings: PathSettings { scallop_mm, max_step_mm: usual.max_step_mm.min(0.25 * radius_mm), ..usual },
             radius_mm,
+            inclined: None,
             start_near: None,
             extent: Extent::default(),
             lean_rad: MachineSettings::default().b_deg.to_radians(),
         }
+    }
+
+    /// Greatest distance of a straight move from the path of balls or corners, mm. The disc under a
+    /// corner goes a longer way round bends, by at most as much as its cutter is wider.
+    pub fn chord_mm(&self) -> f64 {
+        let wider = self.inclined.map_or(1.0, |i| 1.0 + i.disc_radius_mm / self.radius_mm);
+        self.settings.chord_mm / wider
+    }
+
+    /// Distance of two passes on flat ground that leave a scallop, mm.
+    pub fn flat_mm(&self, scallop_mm: f64) -> f64 {
+        flat_stepover_mm(self.inclined.map_or(self.radius_mm, |i| i.flat_radius_mm()), scallop_mm)
     }
 }

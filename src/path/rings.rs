@@ -5,7 +5,7 @@ use super::bounds::lowest_mm;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
-use super::stepover::{decisive_mm, flat_stepover_mm, ridge_height};
+use super::stepover::{Pass, decisive_mm, flat_stepover_mm, ridge_height};
 use super::{heights_mm, place, region, seed, spot};
 use crate::artifact::Blade;
 use crate::artifact::toolpath::EndReason;
@@ -66,7 +66,7 @@ pub fn lay(
     let how = tracing(options);
     let start_x = rings[0].x_mm;
     let lowest = lowest_mm(&options.extent.ends);
-    let flat = flat_stepover_mm(options.radius_mm, aim.target_mm);
+    let flat = options.flat_mm(aim.target_mm);
     let mut pitch = match rings[..] {
         [.., ref a, ref b] => a.x_mm - b.x_mm,
         _ => flat,
@@ -296,7 +296,7 @@ fn worst_ridge(level: &LevelSet, a: &Ring, b: &Ring) -> f64 {
         // The chord between two touches of the ring lies off the level set, which would tilt a
         // close pair of balls.
         let near = level.touch_in_plane(&b.nearest(&t.centre), 0.1 * level.radius_mm)?;
-        ridge_height(level, &t.centre, &near.centre)
+        ridge_height(level, &Pass::pair(level, t, &near))
     });
     decisive_mm(level, heights)
 }

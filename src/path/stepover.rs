@@ -8,8 +8,9 @@
 //! curvature, so it holds on meshes, creases and saddles alike, and what no ball of this radius can
 //! reach (sharp inner corners) does not count.
 
-use super::level::LevelSet;
+use super::level::{LevelSet, Touch};
 use crate::geometry::{Point, Vector};
+use crate::tool::inclination::Swept;
 
 /// Places between two passes that are looked at; one does where the curvature is steady.
 const RIDGE_STEPS: usize = 9;
@@ -23,8 +24,53 @@ const JUMP: f64 = 3.0;
 const CREASE_HALVINGS: usize = 12;
 /// The roots of both heights are equal within this share of their sum where the ridge is.
 const EVEN: f64 = 0.01;
+/// The same under cutters with a corner: noise of their turns hardly fades from one to the next.
+const EVENLY: f64 = 1e-4;
 
-/// Height of the ridge between two balls of the level set over the part, mm; infinite where neither
+/// A place of a pass, as its neighbour sees it.
+pub struct Pass {
+    /// Centre of the ball, or of the corner that rolls over a disc.
+    centre: Point,
+    /// A cutter with a corner, and how many times as high it is taken to leave what it does.
+    cutter: Option<(Swept, f64)>,
+}
+
+impl Pass {
+    /// Of a ball.
+    pub fn of_ball(centre: &Point) -> Self {
+        Pass { centre: *centre, cutter: None }
+    }
+
+    /// Two passes beside one another: they go on across the way from one to the other.
+    pub fn pair(level: &LevelSet, a: &Touch, b: &Touch) -> [Self; 2] {
+        Pass::along(level, [a, b], &(a.normal + b.normal).cross(&(b.centre - a.centre)))
+    }
+
+    /// Two passes beside one another that both go on along `way`, of any length.
+    pub fn along(level: &LevelSet, [a, b]: [&Touch; 2], way: &Vector) -> [Self; 2] {
+        let way = way.try_normalize(1e-12);
+        let Some((inclined, way)) = level.inclined.zip(way) else { return [a, b].map(|t| Pass::of_ball(&t.centre)) };
+        let radii_mm = [inclined.disc_radius_mm, inclined.corner_radius_mm];
+        [a, b].map(|t| {
+            let (centre, axis) = inclined.stand(&t.centre, &t.normal);
+            // Square to the normal, or the cutter would come down and go up on its way.
+            let way = (way - t.normal * way.dot(&t.normal)).try_normalize(1e-9).unwrap_or(way);
+            let higher = inclined.higher(&t.normal, &way);
+            Pass { centre: t.centre, cutter: Some((Swept { centre, axis, way, radii_mm }, higher)) }
+        })
+    }
+
+    /// What it leaves standing at a place of the part with the unit `normal`, mm; infinite where it
+    /// passes by.
+    fn leaves_mm(&self, p: &Point, normal: &Vector, radius_mm: f64) -> f64 {
+        match &self.cutter {
+            None => ray_into_ball(p, normal, &self.centre, radius_mm),
+            Some((swept, higher)) => higher * swept.entry_mm(p, normal),
+        }
+    }
+}
+
+/// Height of the ridge between two passes of the level set over the part, mm; infinite where neither
 /// reaches over the contact between them, `None` where there is no ball of the level set between
 /// them.
 ///
@@ -34,34 +80,35 @@ const EVEN: f64 = 0.01;
 /// the share `a` of the way, which tells where to look next and, once that is near, how high the
 /// ridge is: `(s_a s_b / (s_a + s_b))²`. Every place looked at is on the part, so where the
 /// curvature jumps the greatest height found is left there indeed.
-pub fn ridge_height(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
-    ridge(level, a, b, false)
+pub fn ridge_height(level: &LevelSet, passes: &[Pass; 2]) -> Option<f64> {
+    ridge(level, passes, false)
 }
 
 /// As [`ridge_height`], and over what a ball in a crease between the passes, at two contacts at
 /// once, would leave standing in the corner under it: two passes on both sides of a crease leave
 /// more there than at any contact.
-pub fn ridge_over_creases(level: &LevelSet, a: &Point, b: &Point) -> Option<f64> {
-    ridge(level, a, b, true)
+pub fn ridge_over_creases(level: &LevelSet, passes: &[Pass; 2]) -> Option<f64> {
+    ridge(level, passes, true)
 }
 
-fn ridge(level: &LevelSet, a: &Point, b: &Point, in_creases: bool) -> Option<f64> {
+fn ridge(level: &LevelSet, passes: &[Pass; 2], in_creases: bool) -> Option<f64> {
+    let [a, b] = [passes[0].centre, passes[1].centre];
     let reach = 0.5 * (b - a).norm() + 0.02 * level.radius_mm;
+    let even = if level.inclined.is_some() { EVENLY } else { EVEN };
     let mut share = 0.5;
     // The nearest places known at which `a` leaves less than `b`, and more.
     let (mut less, mut more): (Option<BetweenPasses>, Option<BetweenPasses>) = (None, None);
     let mut ridge: Option<f64> = None;
     for _ in 0..RIDGE_STEPS {
         let Some(between) = level.touch(&(a + (b - a) * share), reach) else { break };
-        let leaves = |c: &Point| ray_into_ball(&between.contact, &between.normal, c, level.radius_mm);
-        let (of_a, of_b) = (leaves(a), leaves(b));
+        let [of_a, of_b] = [0, 1].map(|k| passes[k].leaves_mm(&between.contact, &between.normal, level.radius_mm));
         ridge = Some(ridge.map_or(of_a.min(of_b), |r| r.max(of_a.min(of_b))));
         if of_a.is_infinite() && of_b.is_infinite() {
             break;
         }
         let (root_a, root_b) = (of_a.max(0.0).sqrt(), of_b.max(0.0).sqrt());
         let (rate_a, rate_b) = (root_a / share, root_b / (1.0 - share));
-        if (root_a - root_b).abs() <= EVEN * (root_a + root_b) {
+        if (root_a - root_b).abs() <= even * (root_a + root_b) {
             return Some((rate_a * rate_b / (rate_a + rate_b).max(1e-300)).powi(2));
         }
         let side = BetweenPasses { share, root_a, root_b, contact: between.contact, normal: between.normal };
@@ -83,7 +130,7 @@ fn ridge(level: &LevelSet, a: &Point, b: &Point, in_creases: bool) -> Option<f64
     }
     match (less, more) {
         (Some(l), Some(m)) if in_creases && l.is_over_a_crease(&m, level.radius_mm) => {
-            let under = l.crease(&m, [a, b], level.radius_mm);
+            let under = l.crease(&m, passes, level.radius_mm);
             Some(ridge.map_or(under, |r| r.max(under)))
         }
         // Between neighbouring facets the contact jumps; the ridge is between the two contacts.
@@ -116,7 +163,7 @@ impl BetweenPasses {
 
     /// The height that both passes leave over the ball between them, which touches here and at
     /// `more`: between its contacts it is the lowest that any ball comes to.
-    fn crease(&self, more: &BetweenPasses, [a, b]: [&Point; 2], radius_mm: f64) -> f64 {
+    fn crease(&self, more: &BetweenPasses, passes: &[Pass; 2], radius_mm: f64) -> f64 {
         // The ball that touches the planes of both contacts.
         let centres = [self, more].map(|s| s.contact + s.normal * radius_mm);
         let middle = nalgebra::center(&centres[0], &centres[1]);
@@ -129,7 +176,7 @@ impl BetweenPasses {
             let share = 0.5 * (low + high);
             let Some(normal) = self.normal.lerp(&more.normal, share).try_normalize(1e-6) else { break };
             let p = centre - normal * radius_mm;
-            let [of_a, of_b] = [a, b].map(|c| ray_into_ball(&p, &normal, c, radius_mm));
+            let [of_a, of_b] = [0, 1].map(|k| passes[k].leaves_mm(&p, &normal, radius_mm));
             height = of_a.min(of_b);
             if of_a > of_b { high = share } else { low = share }
         }
@@ -199,6 +246,7 @@ mod tests {
                 part: Allowed::new(&part, 0.0),
                 along: Along::BLADE,
                 radius_mm,
+                inclined: None,
                 rim: None,
                 lowest_mm: f64::NEG_INFINITY,
             };
@@ -206,11 +254,12 @@ mod tests {
             for p in &passes {
                 assert!((level.touch(p, 0.1).unwrap().centre - p).norm() < 1e-6);
             }
-            let found = ridge_over_creases(&level, &passes[0], &passes[1]).unwrap();
+            let balls = [0, 1].map(|k| Pass::of_ball(&passes[k]));
+            let found = ridge_over_creases(&level, &balls).unwrap();
             let expected = radius_mm + s * half.sin() - (radius_mm.powi(2) - (s * half.cos()).powi(2)).sqrt();
             assert!((found / expected - 1.0).abs() < 0.005, "{bend_deg}°: {found} for {expected}");
             if bend_deg > 20.0 {
-                assert!(ridge_height(&level, &passes[0], &passes[1]).unwrap() < of_contacts * expected);
+                assert!(ridge_height(&level, &balls).unwrap() < of_contacts * expected);
             }
         }
     }

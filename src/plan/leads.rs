@@ -1,7 +1,7 @@
 //! The motion with its leads: arcs for which there is room, chosen by the same checks that later
 //! give the evidence.
 
-use super::Setup;
+use super::{Setup, discs};
 use crate::artifact::{AxisMotion, Lead, Plan, ProgrammedCurve, Schedule, Stand, Toolpath};
 use crate::error::{Error, Infeasible, Missed, Result, Stage};
 use crate::feed::{self, FeedOptions};
@@ -20,6 +20,7 @@ pub(crate) fn choose(
     observer: &dyn Observer,
 ) -> Result<[Lead; 2]> {
     let verify = setup.verify_options();
+    let path = &*discs::placed(path, &setup.job.tool, &schedule.theta);
     let room = room(setup, path, &verify);
     let mut out = [Lead::default(), Lead::default()];
     for (end, slot) in [End::In, End::Out].into_iter().zip(&mut out) {
@@ -131,6 +132,7 @@ pub(crate) fn motion_within(
     leads: [Lead; 2],
     observer: &dyn Observer,
 ) -> Result<(AxisMotion, [Lead; 2])> {
+    let path = &*discs::placed(path, &setup.job.tool, &schedule.theta);
     let (long_path, long_schedule) = lead::extended(path, schedule, &leads);
     let [before, after] = leads.each_ref().map(|l| l.centres.len());
     let s = |k: usize| long_path.locations[k].s_mm;

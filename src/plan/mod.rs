@@ -18,7 +18,7 @@ use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::Start;
-use crate::artifact::{AxisMotion, AxisTravel, Obstacle, PartAmong, Plan, Program, Schedule, Sweep, Wheel};
+use crate::artifact::{AxisMotion, AxisTravel, Cone, Obstacle, PartAmong, Plan, Program, Schedule, Sweep, Wheel};
 use crate::channel::{ChannelOptions, ChannelSettings};
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedOptions;
@@ -32,10 +32,12 @@ use crate::schedule::ScheduleOptions;
 use crate::section::SectionOptions;
 use crate::smooth::SmoothOptions;
 use crate::tool::Chip;
+use crate::tool::inclination::Inclined;
 use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions, Workspace};
 use crate::write::post::{self, Dialect, PostOptions};
 
 mod around;
+pub(crate) mod discs;
 mod doubts;
 mod even;
 pub(crate) mod leads;
@@ -145,11 +147,24 @@ impl Setup {
         let ends = r.end_mm.map(Boundary::Height).into_iter().chain(faces);
         PathOptions {
             settings: self.job.path.clone(),
-            radius_mm: self.job.tool.radius_mm,
+            radius_mm: self.job.tool.corner_mm(),
+            inclined: self.inclined(),
             start_near: self.start_near,
             extent: Extent { ends: ends.collect(), ..Extent::heights(Some(r.start_mm), None) },
             lean_rad: self.job.machine.b_deg.to_radians(),
         }
+    }
+
+    /// How a cutter with a corner leans; `None`: a ball.
+    fn inclined(&self) -> Option<Inclined> {
+        let (job, tool) = (&self.job, &self.job.tool);
+        (!tool.is_ball()).then(|| Inclined {
+            disc_radius_mm: tool.disc_radius_mm(),
+            corner_radius_mm: tool.corner_mm(),
+            contact_rad: [job.channel.contact_angle_min_deg, job.channel.contact_angle_max_deg].map(f64::to_radians),
+            cone: Cone::about_blade(job.machine.b_deg.to_radians()),
+            rises: true,
+        })
     }
 
     /// Options of the channel as the job and the machine have them.
@@ -163,7 +178,12 @@ impl Setup {
 
     /// How θ goes along the path.
     fn sweep(&self) -> Sweep {
-        if self.job.orientation.kind.goes_round() { Sweep::Round } else { Sweep::Swing }
+        match (self.job.orientation.kind.goes_round(), self.job.tool.is_ball()) {
+            (true, true) => Sweep::Round,
+            // A narrow window of contact angle turns back where the normal does.
+            (true, false) => Sweep::Follow,
+            (false, _) => Sweep::Swing,
+        }
     }
 
     /// Travel of linear axes as limits of θ, where the tool goes round with one lean: the range of
@@ -259,7 +279,7 @@ impl Setup {
         Asked {
             kind: p.kind,
             direction: p.direction,
-            radius_mm: job.tool.radius_mm,
+            radius_mm: job.tool.corner_mm(),
             stock_mm: p.stock_mm,
             chord_mm: p.chord_mm,
             start_mm: job.region.start_mm,

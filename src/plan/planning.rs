@@ -1,6 +1,6 @@
 //! The planning stages, one after another.
 
-use super::{Baseline, Setup, even, leads, schedules, smoothing};
+use super::{Baseline, Setup, discs, even, leads, schedules, smoothing};
 use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::EndReason;
@@ -53,9 +53,9 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
     }
     let mut toolpath = match known.toolpath {
         // The cones belong to the channel.
-        Some(t) if known.channel.is_some() && !setup.job.orientation.kind.goes_round() => t,
+        Some(t) if known.channel.is_some() && !setup.job.orientation.kind.goes_round() => t.of_corner(),
         // How turns lie does not depend on the lean: it may be another by now.
-        Some(t) => t.with_cones(Cones::about_blade(setup.job.machine.b_deg.to_radians())),
+        Some(t) => t.of_corner().with_cones(Cones::about_blade(setup.job.machine.b_deg.to_radians())),
         None => timed(observer, Stage::Path, || path_as_asked(setup, observer))?,
     };
     if until == Some(Stage::Path) {
@@ -79,10 +79,11 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         Some(s) => (s, known.motion),
         None => timed(observer, Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
     };
-    if !schedule.kind.is_wall() && known_curve.is_none() {
+    if !schedule.kind.is_wall() && known_curve.is_none() && setup.job.tool.is_ball() {
         keep_clear(setup, &toolpath, &mut channel, (&mut schedule, &mut motion), observer)?;
     }
     if until == Some(Stage::Schedule) {
+        let toolpath = discs::placed(&toolpath, &setup.job.tool, &schedule.theta).into_owned();
         return Ok(Reached::Schedule(toolpath, channel, schedule));
     }
     let mut curve = known_curve;
@@ -101,7 +102,11 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         };
         // From the same leads, so that the two are compared under the same conditions. At the same
         // time, since each takes one thread.
-        let others = lead::for_schedule(&chosen, &toolpath, &fixed);
+        let others = match setup.job.tool.is_ball() {
+            true => lead::for_schedule(&chosen, &toolpath, &fixed),
+            // The ends of its path are others.
+            false => leads::choose(setup, &toolpath, &fixed, &Silent)?,
+        };
         let on = curve.as_ref();
         let own = || motion.map_or_else(|| leads::motion(setup, &toolpath, &schedule, on, chosen, observer), Ok);
         let (own, baseline) = parallel::both(own, || leads::motion(setup, &toolpath, &fixed, None, others, &Silent));
@@ -109,6 +114,7 @@ pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer
         Ok((motion, leads, fixed_motion))
     })?;
     let baseline = Baseline { schedule: fixed, motion: fixed_motion };
+    let toolpath = discs::placed(&toolpath, &setup.job.tool, &schedule.theta).into_owned();
     let plan = Plan { toolpath, channel, schedule, motion, leads, curve };
     Ok(Reached::Motion(Box::new((plan, baseline))))
 }

@@ -177,6 +177,7 @@ impl Scene<'_> {
         let path = Toolpath {
             kind: PathKind::Given,
             radius_mm,
+            disc_radius_mm: 0.0,
             stock_mm,
             scallop_mm: 0.0,
             chord_mm: self.options.chord_mm,

@@ -57,6 +57,7 @@ fn evened(way: &Way, radius_mm: f64, chord_mm: f64) -> (Toolpath, Schedule) {
     let path = Toolpath {
         kind: PathKind::Given,
         radius_mm,
+        disc_radius_mm: 0.0,
         stock_mm: 0.0,
         scallop_mm: 0.0,
         chord_mm,

@@ -57,7 +57,7 @@ impl RunAtWork<'_, '_> {
             let (mut forced, mut program) = (false, None);
             if recalled {
                 timed(observer, Stage::Verify, || {
-                    verify::places(plan, &setup.blade, &setup.verify_options(), &mut report);
+                    verify::places(plan, &setup.blade, &setup.job.tool, &setup.verify_options(), &mut report);
                 });
             }
             if let Verdict::Passed(verified) = &verdict {

@@ -139,6 +139,7 @@ pub fn compare(
     let recorder = Recorder::new(observer);
     let mut folder = RunFolder::begin(out)?;
     let setup = Loaded::read(draft, &recorder)?.setup;
+    setup.job.tool.ball_only("schedules are compared")?;
     folder.add_job_of_study(&setup.job.to_toml()?)?;
     let mut toolpath = path_as_asked(&setup, &recorder)?;
     let channel = channel_as_far_as_it_goes(&setup, &mut toolpath, &recorder)?;

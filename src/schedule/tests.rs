@@ -38,6 +38,7 @@ pub(super) fn path(turns: usize, per: usize) -> Toolpath {
         kind: crate::artifact::toolpath::PathKind::default(),
         stock_mm: 0.0,
         radius_mm: 2.0,
+        disc_radius_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [0.0, 1.0],

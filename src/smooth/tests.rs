@@ -50,6 +50,7 @@ fn helix(across_mm: f64) -> (Toolpath, Vec<f64>) {
     let path = Toolpath {
         kind: PathKind::default(),
         radius_mm: BALL,
+        disc_radius_mm: 0.0,
         stock_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.001,

@@ -13,6 +13,7 @@
 pub mod catalogue;
 pub mod chip;
 pub mod contact;
+pub mod inclination;
 pub mod scallop;
 pub mod stepover;
 
@@ -194,7 +195,7 @@ impl Tool {
             self.radius_mm
         );
         Err(Error::usage(Stage::Job, message)
-            .advise("`verify PROGRAM --part MODEL --tool FILE` checks programs with bull-nose and flat cutters"))
+            .advise("`plan` makes programs for bull-nose and flat cutters, `verify PROGRAM --part MODEL --tool FILE` checks them"))
     }
 
     /// The profile above ball or corner, from cutter to spindle: consecutive frusta without gaps.

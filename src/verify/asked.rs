@@ -87,7 +87,7 @@ fn heights(locations: &[CutterLocation], turn: &Turn) -> [f64; 3] {
 
 /// The heights that the path covers.
 fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) -> Check {
-    let path = &plan.toolpath;
+    let path = &plan.toolpath.of_corner();
     let quantity = "how far the path ends before the heights that the job asks for, or goes beyond them";
     let unit = "mm";
     let (Some(first), Some(last)) = (path.turns.first(), path.turns.last()) else {
@@ -164,8 +164,8 @@ fn leans(locations: &[CutterLocation], turn: &Turn) -> f64 {
 
 /// The greatest feed.
 fn feed(plan: &Plan, blade: &Blade, asked: &Asked) -> Check {
-    let rows: Vec<_> = plan.rows().collect();
-    let speeds = rows.windows(2).map(|w| (w[1].stand.centre - w[0].stand.centre).norm() / (w[1].t_s - w[0].t_s) * 60.0);
+    let rows: Vec<_> = plan.feed_points().into_iter().zip(plan.rows().map(|r| r.t_s)).collect();
+    let speeds = rows.windows(2).map(|w| (w[1].0 - w[0].0).norm() / (w[1].1 - w[0].1) * 60.0);
     let worst = speeds.enumerate().fold((0.0f64, 0), |best, (row, v)| {
         let v = if v >= 0.0 { v } else { f64::MAX };
         if v > best.0 { (v, row) } else { best }

@@ -14,6 +14,8 @@
 //! about axes that turn with one another, `V = |c'| + R Σωᵢ` and `A = R (Σωᵢ)²`, `R` the disc's
 //! radius. A move is halved until the bound is within the resolution of what has been measured.
 
+pub(super) mod ridges;
+
 use super::gouge::{self, Gouge};
 use crate::artifact::Stand;
 use crate::geometry::allowance::Allowed;

@@ -9,12 +9,14 @@
 
 use super::apart::{Apart, apart};
 use super::clearance::{self, NearestApproach, Track};
+use super::cornered;
 use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Cone, Lead, Obstacle, Plan, Stand};
 use crate::geometry::allowance::Allowed;
+use crate::geometry::near_disc::DiscSearch;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Axis, Machine};
@@ -72,7 +74,7 @@ impl LeadWay {
         clearance::kept(track, a.part, &a.segments, limit_mm, room.options)
     }
 
-    /// The way of the ball.
+    /// The way of a ball.
     fn sweep(&self, room: &Room) -> Sweep {
         let centres: Vec<Point> = self.stands.iter().map(|s| s.centre).collect();
         let turns = vec![0; centres.len()];
@@ -80,13 +82,21 @@ impl LeadWay {
     }
 
     fn gouge(&self, room: &Room) -> gouge::Gouge {
-        let part = Allowed::new(&room.blade.part, room.stock_mm);
-        gouge::measure(&part, &self.sweep(room), room.options.settings.resolution_mm)
+        let (part, resolution_mm) =
+            (Allowed::new(&room.blade.part, room.stock_mm), room.options.settings.resolution_mm);
+        match room.tool.is_ball() {
+            true => gouge::measure(&part, &self.sweep(room), resolution_mm),
+            false => cornered::deepest(&part, room.tool, &self.stands, resolution_mm),
+        }
     }
 
     /// The deepest cut of the ball into other bodies: see [`gouge::in_obstacles`].
     fn in_obstacles<'a>(&self, room: &Room<'a>) -> Option<(&'a Obstacle, f64, gouge::Gouge)> {
-        gouge::in_obstacles(room.obstacles, &self.sweep(room), room.options.settings.resolution_mm)
+        let resolution_mm = room.options.settings.resolution_mm;
+        match room.tool.is_ball() {
+            true => gouge::in_obstacles(room.obstacles, &self.sweep(room), resolution_mm),
+            false => cornered::in_obstacles(room.obstacles, room.tool, &self.stands, resolution_mm),
+        }
     }
 }
 
@@ -111,9 +121,10 @@ pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Optio
     if let Some((body, depth, _)) = way.in_obstacles(room).filter(|found| found.1 > 0.0) {
         return Some(format!("the ball would cut {depth:.3} mm into {}", body.name));
     }
-    if let Some(outer) = way.stands.iter().rev().nth(1).map(|s| s.centre).filter(|_| lead.is_arc()) {
-        let height = room.tool.radius_mm + OFF * lead.radius_mm * (1.0 - lead.angle_rad.cos());
-        if part.closest(&outer, height).is_some() {
+    if let Some(outer) = way.stands.iter().rev().nth(1).filter(|_| lead.is_arc()) {
+        let height = room.tool.corner_mm() + OFF * lead.radius_mm * (1.0 - lead.angle_rad.cos());
+        let disc = room.tool.disc(outer.centre, outer.axis());
+        if DiscSearch::new(&part).closest(&disc, height, room.options.settings.resolution_mm).is_some() {
             return Some("the part is beside its outer end as well".into());
         }
     }

@@ -41,6 +41,7 @@ mod apart;
 mod asked;
 pub mod audit;
 mod clearance;
+mod cornered;
 mod curve;
 mod cutter;
 mod deviation;
@@ -142,16 +143,20 @@ pub fn check_among(
         observer.check(Stage::Verify)
     };
     step(0)?;
-    let sweep = sweep::Sweep::new(&plan.toolpath);
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
-    let (check, _) = gouge::check(blade, &part, &sweep, options);
-    // What is told is what was proven, not the best that was measured.
-    report.gouge_mm = check.worst;
-    report.checks.push(check);
-    report.checks.extend(gouge::check_obstacles(blade, obstacles, &sweep, options));
-    step(1)?;
-    if let Some(doubt) = scallop::check(&plan, blade, &part, &sweep, options, &mut report) {
-        observer.warn(Warning { stage: Stage::Verify, doubt });
+    if tool.is_ball() {
+        let sweep = sweep::Sweep::new(&plan.toolpath);
+        let (check, _) = gouge::check(blade, &part, &sweep, options);
+        // What is told is what was proven, not the best that was measured.
+        report.gouge_mm = check.worst;
+        report.checks.push(check);
+        report.checks.extend(gouge::check_obstacles(blade, obstacles, &sweep, options));
+        step(1)?;
+        if let Some(doubt) = scallop::check(&plan, blade, &part, &sweep, options, &mut report) {
+            observer.warn(Warning { stage: Stage::Verify, doubt });
+        }
+    } else {
+        cornered::check(&plan, blade, obstacles, tool, options, &mut report);
     }
     step(2)?;
     let apart = apart::apart(blade, obstacles, tool, options);
@@ -171,8 +176,8 @@ pub fn check_among(
             report.turning = Some(figures);
             doubt.into_iter().for_each(|doubt| observer.warn(Warning { stage: Stage::Verify, doubt }));
         }
-        report.checks.extend(whole::check(&plan, blade, machine));
-        report.checks.extend(walls::check(&plan, blade, &apart, asked));
+        report.checks.extend(whole::check(&plan, blade, tool, machine));
+        report.checks.extend(walls::check(&plan, blade, tool, &apart, asked));
     }
     step(4)?;
     Ok(Verdict::of(plan, report))
@@ -202,10 +207,16 @@ pub fn on_other_blade(
             |o: &Obstacle| if o.of_the_wheel { o.clone() } else { Obstacle { part: seen(&o.part), ..o.clone() } };
         let obstacles: Vec<Obstacle> = obstacles.iter().map(about).collect();
         let stock_mm = first.toolpath.stock_mm;
-        let (part, sweep) = (Allowed::new(&blade.part, stock_mm), sweep::Sweep::new(&first.toolpath));
-        let mut again = vec![gouge::check(blade, &part, &sweep, options).0];
-        again.extend(own.then(|| gouge::check_touches(blade, &part, &sweep, options)));
-        again.extend(gouge::check_obstacles(blade, &obstacles, &sweep, options));
+        let mut again = Vec::new();
+        if tool.is_ball() {
+            let (part, sweep) = (Allowed::new(&blade.part, stock_mm), sweep::Sweep::new(&first.toolpath));
+            again.push(gouge::check(blade, &part, &sweep, options).0);
+            again.extend(own.then(|| gouge::check_touches(blade, &part, &sweep, options)));
+            again.extend(gouge::check_obstacles(blade, &obstacles, &sweep, options));
+        } else {
+            again.extend(cornered::gouges(first, blade, &obstacles, tool, options));
+            again.extend(own.then(|| cornered::touches(first, blade, tool, options)));
+        }
         again.extend(clearance::check(first, blade, &apart::apart(blade, &obstacles, tool, options), options).0);
         let room = lead::Room { blade, stock_mm, obstacles: &obstacles, tool, machine, options };
         again.extend(lead::check(first, &room));
@@ -222,8 +233,12 @@ pub fn on_other_blade(
 
 /// Puts the places into a report that was read from a file: where the scallop, the ridges and what
 /// stays uncut were measured. Its figures stay as they are.
-pub fn places(plan: &Plan, blade: &Blade, options: &VerifyOptions, report: &mut CheckReport) {
+pub fn places(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOptions, report: &mut CheckReport) {
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
+    if !tool.is_ball() {
+        report.scallop = cornered::height_places(plan, &part, tool, options);
+        return;
+    }
     scallop::measure(&part, &sweep::Sweep::new(&plan.toolpath), options, report);
 }
 

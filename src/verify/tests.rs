@@ -107,6 +107,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             kind: crate::artifact::toolpath::PathKind::default(),
             stock_mm: 0.0,
             radius_mm: BALL,
+            disc_radius_mm: 0.0,
             scallop_mm: 0.01,
             chord_mm: 0.001,
             region_x_mm: [x(0.0), x(angle(n - 1))],

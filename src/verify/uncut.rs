@@ -102,6 +102,7 @@ mod tests {
             kind: PathKind::default(),
             stock_mm: 0.0,
             radius_mm,
+            disc_radius_mm: 0.0,
             scallop_mm,
             chord_mm: 0.001,
             region_x_mm: [-8.0, 8.0],

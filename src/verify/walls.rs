@@ -18,6 +18,7 @@ use crate::artifact::channel::ChannelRow;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Plan, Stand};
 use crate::parallel;
+use crate::tool::Tool;
 
 /// Rows that are looked at along the path.
 const EVENLY: usize = 160;
@@ -31,8 +32,8 @@ const ROUNDING: f64 = 1e-9;
 const CONTACT_RAD: f64 = 1e-6;
 
 /// The checks of this module.
-pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], asked: &Asked) -> Vec<Check> {
-    vec![rows(plan, blade, asked), clear(plan, blade, apart)]
+pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, apart: &[Apart], asked: &Asked) -> Vec<Check> {
+    vec![rows(plan, blade, asked), clear(plan, blade, tool, apart)]
 }
 
 /// What of all rows can be told without the part.
@@ -127,14 +128,19 @@ fn chosen(rows: &[ChannelRow]) -> Vec<usize> {
 }
 
 /// The tool from wall to wall.
-fn clear(plan: &Plan, blade: &Blade, apart: &[Apart]) -> Check {
+fn clear(plan: &Plan, blade: &Blade, tool: &Tool, apart: &[Apart]) -> Check {
     let rows = chosen(&plan.channel.rows);
     // How much is missing of what is asked for, and where.
     let one = |&k: &usize| {
-        let (row, centre, cone) = (&plan.channel.rows[k], plan.toolpath.locations[k].centre, plan.toolpath.cone(k));
+        let (row, l, cone) = (&plan.channel.rows[k], &plan.toolpath.locations[k], plan.toolpath.cone(k));
         let mut worst: Option<(f64, usize, String)> = None;
         for step in 0..ANGLES {
             let theta = row.theta_min + (row.theta_max - row.theta_min) * step as f64 / (ANGLES - 1) as f64;
+            // The disc under a corner goes with θ.
+            let centre = match tool.is_ball() {
+                true => l.centre,
+                false => tool.centre_at(&l.contact, &l.normal, &cone.tool_axis(theta), None).unwrap_or(l.centre),
+            };
             let stand = Stand { centre, cone, theta };
             for a in apart {
                 // Ends by exact faces may be nearer to their mesh by its deflection.

@@ -26,6 +26,7 @@ use crate::artifact::{AxisMotion, Blade, CheckId, Plan};
 use crate::geometry::Point;
 use crate::machine::Machine;
 use crate::parallel;
+use crate::tool::Tool;
 
 /// Lengths that follow from sums of thousands of distances, mm.
 const LENGTH_MM: f64 = 1e-6;
@@ -57,8 +58,8 @@ const FEW: usize = 24;
 const KNOWN: f64 = 0.01;
 
 /// The checks of this module.
-pub(super) fn check(plan: &Plan, blade: &Blade, machine: &Machine) -> Vec<Check> {
-    vec![turns(plan, blade), contacts(plan, blade), motion(plan, blade, machine)]
+pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine) -> Vec<Check> {
+    vec![turns(plan, blade), contacts(plan, blade, tool), motion(plan, blade, machine)]
 }
 
 /// Findings in a list, of which the first is told.
@@ -115,7 +116,7 @@ fn turns(plan: &Plan, blade: &Blade) -> Check {
     if next != locations.len() && found.count == 0 {
         found.add(next, || format!("plan.json: turns end at location {next}, there are {}", locations.len()));
     }
-    for (k, pair) in locations.windows(2).enumerate() {
+    for (k, pair) in plan.toolpath.of_corner().locations.windows(2).enumerate() {
         let step = (pair[1].centre - pair[0].centre).norm();
         found.number(k + 1, "s_mm", pair[1].s_mm, pair[0].s_mm + step, LENGTH_MM * (1.0 + step));
     }
@@ -124,14 +125,24 @@ fn turns(plan: &Plan, blade: &Blade) -> Check {
 }
 
 /// Contacts and normals.
-fn contacts(plan: &Plan, blade: &Blade) -> Check {
+fn contacts(plan: &Plan, blade: &Blade, tool: &Tool) -> Check {
     let path = &plan.toolpath;
-    let off = |l: &CutterLocation| {
-        let along = (l.centre - l.normal * path.radius_mm - l.contact).norm().max((l.normal.norm() - 1.0).abs());
+    let off = |row: usize| {
+        let l = &path.locations[row];
+        // Where the corner has its centre, by the disc's.
+        let corner = match plan.stand(row).filter(|_| !tool.is_ball()) {
+            Some(stand) => {
+                l.centre
+                    + (l.contact + l.normal * path.radius_mm
+                        - tool.centre_at(&l.contact, &l.normal, &stand.axis(), None).unwrap_or(l.contact))
+            }
+            None => l.centre,
+        };
+        let along = (corner - l.normal * path.radius_mm - l.contact).norm().max((l.normal.norm() - 1.0).abs());
         let near = blade.part.closest(&l.contact, path.stock_mm + FAR_MM);
         along.max(near.map_or(f64::MAX, |c| (c.distance_mm - path.stock_mm).abs()))
     };
-    let all: Vec<f64> = parallel::map(&path.locations, off);
+    let all: Vec<f64> = parallel::map(0..path.locations.len(), off);
     let worst = all.iter().enumerate().fold((0.0f64, 0), |best, (row, off)| {
         let off = if off.is_nan() { f64::MAX } else { *off };
         if off > best.0 { (off, row) } else { best }
@@ -148,7 +159,7 @@ fn contacts(plan: &Plan, blade: &Blade) -> Check {
     Check::at_most(CheckId::PlanContacts, quantity, worst.0, limit, "mm", note).at_location(worst.1, plan, blade)
 }
 
-/// All rows of the motion, leads and path, and the ball centre at each.
+/// All rows of the motion, leads and path, and the place at each whose speed is the feed.
 fn all_rows(plan: &Plan) -> (AxisMotion, Vec<Point>) {
     let [before, after] = &plan.leads;
     let mut out = AxisMotion::default();
@@ -160,7 +171,7 @@ fn all_rows(plan: &Plan) -> (AxisMotion, Vec<Point>) {
         out.acceleration.extend(&m.acceleration);
         out.jerk.extend(&m.jerk);
     }
-    (out, plan.rows().map(|r| r.stand.centre).collect())
+    (out, plan.feed_points())
 }
 
 /// The third derivative of the quintic through position, velocity and acceleration of an axis at

@@ -42,6 +42,7 @@ fn path_of(locations: Vec<CutterLocation>, radius_mm: f64) -> Toolpath {
         kind: PathKind::default(),
         stock_mm: 0.0,
         radius_mm,
+        disc_radius_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [0.0, 1.0],

@@ -139,6 +139,7 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
         kind: crate::artifact::toolpath::PathKind::default(),
         stock_mm: 0.0,
         radius_mm,
+        disc_radius_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.01,
         region_x_mm: [from_x, from_x + pitch],

@@ -6,7 +6,7 @@ use super::overrun::Overrun;
 use super::{FAR, Front};
 use crate::geometry::{Point, Vector};
 use crate::path::level::Touch;
-use crate::path::stepover::ridge_height;
+use crate::path::stepover::{Pass, ridge_height};
 
 /// A place between two sides of a turn that run towards one another is nearer to both of them than
 /// this share of its distance from the corner where they meet.
@@ -103,8 +103,9 @@ impl Front<'_> {
             let is_corner = self.follows_corners() && are_round_a_corner(&ways, corner_mm);
             let share = if is_corner { 0.5 + 0.5 * (0.5 * ways[0].angle(&ways[1])).cos() } else { 1.0 };
             let near = sides[usize::from(ways[1].norm_squared() < ways[0].norm_squared())];
-            let near = level.touch(&near, self.flat_mm)?.centre;
-            let ridge = ridge_height(level, &near, &q)?;
+            let beside = level.touch(&near, self.flat_mm)?;
+            let near = beside.centre;
+            let ridge = ridge_height(level, &Pass::pair(level, &beside, &touch))?;
             let most = self.scallop_mm * share * share;
             if ridge <= most {
                 break;
@@ -144,6 +145,7 @@ mod tests {
             part: Allowed::new(&blade.part, 0.0),
             along: Along::BLADE,
             radius_mm,
+            inclined: None,
             rim: None,
             lowest_mm: f64::NEG_INFINITY,
         };

@@ -17,6 +17,8 @@ pub struct Fineness {
     /// place that runs ahead do so, too: all of it at once leaves ridges that are too low, and the
     /// next turn swings back.
     pub back: f64,
+    /// The same of the turns that only look for the end.
+    pub back_to_end: f64,
     /// Ways this near to the one that leaves the ridge asked for, as a share, are right: over
     /// facets touches lie nearer to one another, and what a way is off by turns the next.
     pub good: f64,
@@ -42,6 +44,7 @@ const EXACT: Fineness = Fineness {
     touches_to_end: None,
     touches_rad: 0.2,
     back: 0.4,
+    back_to_end: 1.0,
     good: 5e-4,
     nearly: 0.02,
     sharp_rad: 0.6,
@@ -54,6 +57,7 @@ const FACETS: Fineness = Fineness {
     touches_to_end: Some(0.5),
     touches_rad: 0.125,
     back: 0.3,
+    back_to_end: 1.0,
     good: 1e-4,
     nearly: 0.004,
     sharp_rad: 1.0,
@@ -61,9 +65,18 @@ const FACETS: Fineness = Fineness {
     widest: 2.0,
 };
 
+/// A ball's turn is smoother than the one before, and makes good what that was brought back by; a
+/// cutter with a corner cuts with the front of its disc, which is nearly straight, and its turns
+/// keep the noise of the first. It adds up.
+const INCLINED: Fineness = Fineness { good: 1e-5, nearly: 1e-5, back: 0.0, back_to_end: 0.0, ..EXACT };
+
 impl Fineness {
     /// The figures for the surface of a level set.
     pub fn of(level: &LevelSet) -> &'static Fineness {
-        if level.is_over_facets() { &FACETS } else { &EXACT }
+        match (level.is_over_facets(), level.inclined.is_some()) {
+            (true, _) => &FACETS,
+            (false, true) => &INCLINED,
+            (false, false) => &EXACT,
+        }
     }
 }

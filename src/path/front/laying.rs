@@ -151,7 +151,7 @@ impl Front<'_> {
         let tail = self.tail(before.unwrap_or(turn)).to_vec();
         // Beside a ring the ramp brings a turn as near to it as it likes: to bring it back would be
         // to go beyond the end.
-        if let Some(before) = before.filter(|b| !is_ring(b)) {
+        if let Some(before) = before.filter(|b| self.back > 0.0 && !is_ring(b)) {
             let head = self.head(before, turn);
             self.even_turn(&tail, turn, &head);
         }

@@ -11,7 +11,7 @@ use super::fineness::{Fineness, STILL};
 use crate::geometry::{Point, Vector};
 use crate::path::bounds::{Bounds, STEP_RAD, Stop};
 use crate::path::level::{LevelSet, Touch};
-use crate::path::stepover::ridge_over_creases;
+use crate::path::stepover::{Pass, ridge_over_creases};
 
 /// Turn of the normal up to which a neighbour is sought by a single step, rad.
 const STRAIGHT_RAD: f64 = 0.5;
@@ -32,6 +32,13 @@ const NEAR: f64 = 1.5;
 const UPRIGHT: f64 = 0.5;
 /// Halvings towards the place where the ball begins to roll over an edge.
 const EDGE_HALVINGS: usize = 16;
+/// Sine of a lean, at least, that has a direction.
+const LEAST_LEAN: f64 = 1e-3;
+/// Distance at which the bend of the part is looked at, as a share of the corner's radius.
+const NEAR_BY: f64 = 0.02;
+/// Cosine between the way to a neighbour and the direction square to a turn, at least: where a
+/// cutter leans aside more than along its way neighbours are sought square to it.
+const LEAST_ASIDE: f64 = 0.5;
 /// Halvings towards a bound: the stepover times 10⁻⁸.
 const HALVINGS: usize = 27;
 
@@ -105,9 +112,7 @@ impl Across<'_> {
     /// turn round the place. `None` where the ball cannot go there.
     pub fn neighbour(&self, from: &Heading, turn: &[Touch], h_mm: f64, guess_mm: f64) -> Option<Next> {
         let next = self.straight(from, h_mm, guess_mm).or_else(|| {
-            let ridge = |t: &Touch, _: f64| {
-                ridge_over_creases(self.level, &from.touch.centre, &t.centre).unwrap_or(f64::INFINITY)
-            };
+            let ridge = |t: &Touch, _: f64| self.ridge(from, t).unwrap_or(f64::INFINITY);
             self.walk(from, guess_mm, |t, way| ridge(t, way) >= h_mm)
         })?;
         Some(self.short_of_an_edge(from, turn, next))
@@ -197,14 +202,65 @@ impl Across<'_> {
     /// One step across by `way_mm` and onto the level set, which may be off by the share `reach` of
     /// the step, with the way along it.
     pub fn step(&self, from: &Heading, way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
-        let side = from.along.cross(&from.touch.normal).try_normalize(1e-6)?;
+        let [side, along] = self.ways(from)?;
         let guess = from.touch.centre + side * way_mm;
-        let touch = self.level.touch_across(&guess, &from.along, reach * way_mm)?;
+        let touch = self.level.touch_across(&guess, &along, reach * way_mm)?;
         let half = 0.5 * from.touch.normal.angle(&touch.normal);
         let chord = (touch.centre - from.touch.centre).norm();
         // The way along a curve of constant curvature with this chord and turn.
         let arc = if half > 1e-4 && half < 1.0 { chord * half / half.sin() } else { chord };
         Some((touch, arc))
+    }
+
+    /// The ridge between a place of a turn and one of the next.
+    fn ridge(&self, from: &Heading, to: &Touch) -> Option<f64> {
+        ridge_over_creases(self.level, &Pass::along(self.level, [&from.touch, to], &from.along))
+    }
+
+    /// The unit direction in which the neighbour of a place lies, and that across the plane in which
+    /// it is sought. For a ball the first is square to the way. What a cutter with a corner leaves
+    /// at a place beside its way is left by a place of it farther back or ahead, in the direction
+    /// that is conjugate to the way by the curvatures `K` of cutter and part. From turn to turn places
+    /// go along these lines: square to the way they would pass beyond the bends of the next turn,
+    /// and bends grow.
+    ///
+    /// Contacts `x` go as the corner's centres `(I + r S) x`, with the part's shape `S`. Seen by
+    /// centres, with `M = (I + r S)⁻¹`, `M K M = M/r − (1/r − k) (M p)(M p)ᵀ`: `k` is the cutter's
+    /// curvature across its lean, in the direction `p` ([`crate::tool::stepover`]).
+    fn ways(&self, from: &Heading) -> Option<[Vector; 2]> {
+        let normal = &from.touch.normal;
+        let square = from.along.cross(normal).try_normalize(1e-6)?;
+        let Some(inclined) = self.level.inclined else { return Some([square, from.along]) };
+        let corner = self.level.radius_mm;
+        let (_, axis) = inclined.stand(&from.touch.centre, normal);
+        let lean = axis.cross(normal);
+        let sine = lean.norm();
+        let conjugate = || {
+            let (p, way) = (lean / sine, normal.cross(&square));
+            let flat = sine / (inclined.disc_radius_mm + corner * sine);
+            let [of_way, of_p] = [self.shrunk(from, &way)?, self.shrunk(from, &p)?];
+            let by = of_way / corner - of_p * ((1.0 / corner - flat) * of_p.dot(&way));
+            by.cross(normal).try_normalize(1e-9)
+        };
+        let side = (sine > LEAST_LEAN).then(conjugate).flatten();
+        let side = side.filter(|side| side.dot(&square).abs() > LEAST_ASIDE);
+        let side = side.map_or(square, |side| side * side.dot(&square).signum());
+        Some([side, normal.cross(&side)])
+    }
+
+    /// `M` of [`Self::ways`] times a unit direction across the normal: how contacts go where centres
+    /// go along it.
+    fn shrunk(&self, from: &Heading, along: &Vector) -> Option<Vector> {
+        let step = NEAR_BY * self.level.radius_mm;
+        let touch = |sign: f64| self.level.touch(&(from.touch.centre + along * (sign * step)), step);
+        let bend = match (touch(1.0), touch(-1.0)) {
+            (Some(a), Some(b)) => (a.normal - b.normal) / (2.0 * step),
+            (Some(a), None) => (a.normal - from.touch.normal) / step,
+            (None, Some(b)) => (from.touch.normal - b.normal) / step,
+            (None, None) => return None,
+        };
+        let bend = bend - from.touch.normal * from.touch.normal.dot(&bend);
+        Some(along - bend * self.level.radius_mm)
     }
 
     fn straight(&self, from: &Heading, h_mm: f64, guess_mm: f64) -> Option<Next> {
@@ -214,7 +270,7 @@ impl Across<'_> {
         let mut asked = guess_mm;
         for _ in 0..MOST_TRIES {
             let (touch, way_mm) = self.beside(from, asked)?;
-            let ridge = ridge_over_creases(self.level, &from.touch.centre, &touch.centre)?;
+            let ridge = self.ridge(from, &touch)?;
             let factor = (h_mm / ridge.max(1e-3 * h_mm)).sqrt();
             let inside = self.bounds.hold(&touch);
             if !inside && factor >= 1.0 {
@@ -303,7 +359,7 @@ impl Across<'_> {
 
     /// One step of a walk; `length` is the step tried first and, afterwards, the one to try next.
     fn advance(&self, here: &Heading, length: &mut f64, most_mm: f64) -> Option<(Touch, f64)> {
-        let side = here.along.cross(&here.touch.normal).try_normalize(1e-6)?;
+        let [side, _] = self.ways(here)?;
         let mut step = length.clamp(self.min_step_mm, most_mm.max(self.min_step_mm));
         loop {
             let last_try = step <= self.min_step_mm;

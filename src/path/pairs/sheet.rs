@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::level::{LevelSet, Touch};
-use super::super::stepover::ridge_height;
+use super::super::stepover::{Pass, ridge_height};
 use super::{PairOptions, no_pairs};
 use crate::artifact::Blade;
 use crate::artifact::along::Along;
@@ -98,6 +98,7 @@ impl<'a> Sheet<'a> {
             part: Allowed::new(part, stock_mm),
             along: Along::BLADE,
             radius_mm,
+            inclined: None,
             rim: None,
             lowest_mm: f64::NEG_INFINITY,
         };
@@ -181,7 +182,8 @@ impl<'a> Sheet<'a> {
         [0, 1].map(|j| {
             let here = &at.touches[j].centre;
             let foot = before.nearest(k, j, here);
-            foot.map_or(f64::INFINITY, |foot| ridge_height(&self.levels[j], &foot, here).unwrap_or(f64::INFINITY))
+            let ridge = |foot| ridge_height(&self.levels[j], &[foot, *here].map(|c| Pass::of_ball(&c)));
+            foot.and_then(ridge).unwrap_or(f64::INFINITY)
         })
     }
 
@@ -191,7 +193,7 @@ impl<'a> Sheet<'a> {
         let of = |j: usize| {
             let level = &self.levels[j];
             let here = level.touch(after.middle(k, j)?, 0.1 * level.radius_mm)?.centre;
-            ridge_height(level, &before.nearest(k, j, &here)?, &here)
+            ridge_height(level, &[before.nearest(k, j, &here)?, here].map(|c| Pass::of_ball(&c)))
         };
         (0..2).map(|j| of(j).unwrap_or(0.0)).fold(0.0, f64::max)
     }

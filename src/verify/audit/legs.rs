@@ -23,7 +23,7 @@ const GAP_MM: f64 = 2e-3;
 /// Most legs of one move and of a program: what takes seconds, not hours.
 const MOST: [usize; 2] = [2_000_000, 10_000_000];
 /// The ball touches the part where it is this near, mm.
-pub(super) const NEAR_MM: f64 = 0.05;
+pub(in crate::verify) const NEAR_MM: f64 = 0.05;
 
 /// What a leg is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

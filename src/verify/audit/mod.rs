@@ -35,10 +35,9 @@ mod blame;
 mod checks;
 #[cfg(test)]
 mod cutter_tests;
-mod legs;
+pub(super) mod legs;
 mod report;
-mod ridges;
-mod scallop;
+pub(super) mod scallop;
 #[cfg(test)]
 mod tests;
 

@@ -10,20 +10,21 @@
 //! One turn that is too wide may be a small share of the part, so the height is judged turn by turn
 //! too.
 
+use super::AuditScene;
 use super::legs::NEAR_MM;
 use super::report::{Limit, LineCheck};
-use super::{AuditScene, ridges};
 use crate::artifact::CheckId;
 use crate::geometry::Point;
 use crate::parallel;
+use crate::verify::cutter::ridges::{self, Passes};
 use crate::verify::height::{REACH_SLACK, lift};
 use crate::verify::samples::{self, Sample};
 use crate::verify::sweep::Sweep;
 
 /// Passes as far apart as so many stepovers are still neighbours: a turn that is missing is seen.
-pub(super) const REACH_STEPOVERS: f64 = 2.5;
+pub(in crate::verify) const REACH_STEPOVERS: f64 = 2.5;
 /// Least reach, mm.
-pub(super) const LEAST_REACH_MM: f64 = 0.4;
+pub(in crate::verify) const LEAST_REACH_MM: f64 = 0.4;
 /// Two places are on two sides where the cosine of their directions is less than this.
 const OPPOSITE: f64 = -0.8;
 /// Turns with fewer samples are not judged by themselves.
@@ -36,7 +37,7 @@ const WIDEST: f64 = 0.02;
 
 /// A height between two passes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Height {
+pub(in crate::verify) struct Height {
     pub height_mm: f64,
     pub point: Point,
     /// Leg of the nearest pass.
@@ -46,7 +47,7 @@ pub(super) struct Height {
 }
 
 /// All of them, the lowest first.
-pub(super) struct Heights {
+pub(in crate::verify) struct Heights {
     pub sorted: Vec<Height>,
 }
 
@@ -69,7 +70,15 @@ pub(super) fn widest_mm(scene: &AuditScene) -> f64 {
 /// Measures.
 pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
     if !scene.bench.tool.is_ball() {
-        return ridges::heights(scene, sweep);
+        let passes = Passes {
+            part: &scene.part,
+            tool: scene.bench.tool,
+            stands: &scene.legs.stands,
+            turns: &scene.turns,
+            widest_mm: widest_mm(scene),
+            samples: scene.options.surface_samples,
+        };
+        return ridges::heights(&passes, sweep);
     }
     let radius = sweep.radius_mm;
     let widest = widest_mm(scene);
@@ -88,7 +97,7 @@ pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
 }
 
 /// Heights in their order.
-pub(super) fn sorted(mut heights: Vec<Height>) -> Heights {
+pub(in crate::verify) fn sorted(mut heights: Vec<Height>) -> Heights {
     heights.sort_by(|a, b| a.height_mm.total_cmp(&b.height_mm).then(a.leg.cmp(&b.leg)));
     Heights { sorted: heights }
 }
@@ -113,7 +122,7 @@ fn near_ends(sweep: &Sweep, way_mm: f64) -> Vec<bool> {
 
 /// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its
 /// two sides are apart; `None` where one of them is not `inside` a pass: near its end.
-pub(super) fn between(
+pub(in crate::verify) fn between(
     sweep: &Sweep,
     q: &Point,
     reach_mm: f64,

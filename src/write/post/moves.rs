@@ -162,7 +162,7 @@ fn parts(run: &OperationRun, programmed: Programmed, a: &Move, b: &Move) -> usiz
 /// locations.
 fn deviation_mm(run: &OperationRun, programmed: Programmed, a: &Move, b: &Move) -> f64 {
     let middle = nalgebra::center(&a.stand.centre, &b.stand.centre);
-    let radius = run.tool.radius_mm;
+    let radius = run.tool.corner_mm();
     match programmed {
         Programmed::Centre => askew_mm(run, a, b),
         Programmed::Tip => {
@@ -185,7 +185,7 @@ fn deviation_mm(run: &OperationRun, programmed: Programmed, a: &Move, b: &Move) 
 /// The ball centre at a share of the move from one place to another, as the control moves it: every
 /// word evenly.
 pub(super) fn ball_centre(run: &OperationRun, programmed: Programmed, a: &Move, b: &Move, share: f64) -> Point {
-    let (radius, gauge) = (run.tool.radius_mm, run.tool.length_mm());
+    let (radius, gauge) = (run.tool.corner_mm(), run.tool.length_mm());
     let centre = a.stand.centre + (b.stand.centre - a.stand.centre) * share;
     let [p, q] = [a, b].map(|m| m.axes(run));
     let axes = p.toward(&q, share);

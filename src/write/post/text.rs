@@ -237,10 +237,13 @@ pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, line
             assumed.join(" ")
         ));
     }
+    let (end, from) = match t.corner_radius_mm {
+        None => (format!("ball end, R {:.4} mm", t.radius_mm), "ball"),
+        Some(corner) => (format!("end mill, R {:.4} mm, corner R {corner:.4} mm", t.radius_mm), "corner"),
+    };
     lines.comment(&format!(
-        "Tool     T{}  ball end, R {:.4} mm, half angle of taper {:.3} deg, shank R {:.3} mm, stick-out {:.3} mm from \
-         the ball centre",
-        o.settings.tool_number, t.radius_mm, t.taper_deg, t.shank_radius_mm, t.stickout_mm
+        "Tool     T{}  {end}, half angle of taper {:.3} deg, shank R {:.3} mm, stick-out {:.3} mm from the {from} centre",
+        o.settings.tool_number, t.taper_deg, t.shank_radius_mm, t.stickout_mm
     ));
     for (i, h) in t.holder.iter().enumerate() {
         lines.comment(&format!("Holder {} R {:.3} mm, {:.3} mm long", i + 1, h.radius_mm, h.length_mm));

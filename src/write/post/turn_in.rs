@@ -59,7 +59,7 @@ pub(super) fn places(run: &OperationRun, programmed: Programmed) -> Vec<Axes> {
 /// travel.
 fn keeps(run: &OperationRun, programmed: Programmed, ends: &[Axes], share: f64, stray_mm: f64) -> bool {
     let (machine, gauge) = (run.machine, run.tool.length_mm());
-    let lift_mm = if programmed == Programmed::Tip { run.tool.radius_mm } else { 0.0 };
+    let lift_mm = if programmed == Programmed::Tip { run.tool.corner_mm() } else { 0.0 };
     let [p, q] = [0, 1].map(|k| machine.forward(&ends[k], gauge).tip(lift_mm));
     let turned = ends[0].toward(&ends[1], share);
     let centre = p + (q - p) * share + machine.axis_at(&turned) * lift_mm;

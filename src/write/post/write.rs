@@ -138,9 +138,9 @@ impl<'a> Writer<'a> {
             ("rpm", o.settings.spindle_rpm),
             ("tolerance", smoothing.mm),
             ("axis_tolerance", smoothing.axis_deg),
-            ("length_to_tip", tool.length_mm() + tool.radius_mm),
+            ("length_to_tip", tool.length_mm() + tool.corner_mm()),
             ("length_to_centre", tool.length_mm()),
-            ("radius", tool.radius_mm),
+            ("radius", tool.corner_mm()),
             ("diameter", 2.0 * tool.radius_mm),
             ("mount_x", m.offset_mm[0]),
             ("mount_y", m.offset_mm[1]),
@@ -203,7 +203,7 @@ impl<'a> Writer<'a> {
     /// A pose by its centre and tool axis, and the axis positions that bring it about.
     fn placed_by(&self, centre: &Point, axis: &Vector, axes: Axes) -> PlacedPose {
         let point = match self.dialect.file.programmed {
-            Programmed::Tip => tool::tip(centre, axis, self.run.tool.radius_mm).into(),
+            Programmed::Tip => tool::tip(centre, axis, self.run.tool.corner_mm()).into(),
             Programmed::Centre => (*centre).into(),
             Programmed::Machine => self.run.machine.linear().map(|k| axes[k]),
         };

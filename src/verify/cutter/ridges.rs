@@ -1,6 +1,6 @@
 //! What a cutter with a corner leaves standing between its passes, measured on the swept cutter.
 //!
-//! As [`super::scallop`] does with balls, at samples `p` of the surface between passes: the least
+//! As [`audit::scallop`] does with balls, at samples `p` of the surface between passes: the least
 //! height `t ≥ 0` at which the normal `p + t n` meets the cutter anywhere on its way. No place of
 //! the cutter is farther along the line than it is away, so steps as long as the distance lead to
 //! the first place that is met. The distance from a leg is that from the disc at the nearest of its
@@ -11,15 +11,17 @@
 //! it. So contacts do, the places where the part is nearest to the disc at the ends of each leg.
 //!
 //! What no cutter could reach is not told apart: on hollow ground it counts as left standing.
+//!
+//! [`audit::scallop`]: super::super::audit::scallop
 
 use parry3d_f64::bounding_volume::Aabb as ParryAabb;
 use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, TraversalAction};
 
-use super::AuditScene;
-use super::legs::NEAR_MM;
-use super::scallop::{Height, Heights, LEAST_REACH_MM, REACH_STEPOVERS, between, sorted, widest_mm};
+use super::super::audit::legs::NEAR_MM;
+use super::super::audit::scallop::{Height, Heights, LEAST_REACH_MM, REACH_STEPOVERS, between, sorted};
 use crate::artifact::Stand;
+use crate::geometry::allowance::Allowed;
 use crate::geometry::near_disc::DiscSearch;
 use crate::geometry::{Point, Vector};
 use crate::parallel;
@@ -156,10 +158,26 @@ impl<'a> SweptDisc<'a> {
     }
 }
 
-/// Measures.
-pub(super) fn heights(scene: &AuditScene, passes: &Sweep) -> Heights {
-    let (tool, stands) = (scene.bench.tool, &scene.legs.stands);
-    let (widest, touched) = (widest_mm(scene), touched(scene, passes));
+/// Passes of a cutter with a corner along a part.
+pub(in crate::verify) struct Passes<'a> {
+    /// The part, with the stock that is to stay on it.
+    pub part: &'a Allowed<'a>,
+    /// The cutter.
+    pub tool: &'a Tool,
+    /// Where it stands, move after move.
+    pub stands: &'a [Stand],
+    /// Turns of the stands.
+    pub turns: &'a [u32],
+    /// The scallop that reaches are measured by, mm.
+    pub widest_mm: f64,
+    /// Samples of the surface.
+    pub samples: usize,
+}
+
+/// Measures the passes among the moves of a sweep that count.
+pub(in crate::verify) fn heights(scene: &Passes, passes: &Sweep) -> Heights {
+    let (tool, stands) = (scene.tool, scene.stands);
+    let (widest, touched) = (scene.widest_mm, touched(scene, passes));
     let contacts = touched.iter().zip(stands).map(|(c, s)| c.map_or(s.centre, |c| c.0)).collect::<Vec<_>>();
     let counts = |i: usize| passes.counts(i) && touched[i].is_some() && touched[i + 1].is_some();
     let wanted: Vec<bool> = (0..stands.len().saturating_sub(1)).map(counts).collect();
@@ -171,7 +189,7 @@ pub(super) fn heights(scene: &AuditScene, passes: &Sweep) -> Heights {
     let reach = (REACH_STEPOVERS * (8.0 * radius * widest).sqrt()).clamp(LEAST_REACH_MM, 4.0 * tool.radius_mm);
     let far = (HIGHEST_TIMES * widest).max(HIGHEST_MM);
     let swept = SweptDisc::new(tool, stands, |i| wanted.get(i) == Some(&true));
-    let way = Sweep::of(contacts.clone(), contacts, scene.turns.clone(), 0.0, Some(wanted));
+    let way = Sweep::of(contacts.clone(), contacts, scene.turns.to_vec(), 0.0, Some(wanted));
     // Beside the ends of passes the cutter comes down or goes up, and beyond is nothing to be cut.
     let ways = [true, false].map(|forwards| ways(&way, forwards));
     let far_in = reach + (2.0 * radius * NEAR_MM).sqrt();
@@ -184,7 +202,7 @@ pub(super) fn heights(scene: &AuditScene, passes: &Sweep) -> Heights {
         let height_mm = swept.height_mm(&s.point, &s.normal, far)?;
         Some(Height { height_mm, point: s.point, leg, gap_mm })
     };
-    let all = samples::near_path(&scene.part, &way, reach, scene.options.surface_samples);
+    let all = samples::near_path(scene.part, &way, reach, scene.samples);
     sorted(parallel::filter_map(&all.points, height))
 }
 
@@ -202,9 +220,9 @@ fn ways(sweep: &Sweep, forwards: bool) -> Vec<f64> {
 
 /// At each stand of a pass where the part is nearest to the disc, with its stock, and the sine
 /// between axis and normal there.
-fn touched(scene: &AuditScene, passes: &Sweep) -> Vec<Option<(Point, f64)>> {
-    let (tool, part, stands) = (scene.bench.tool, &scene.part, &scene.legs.stands);
-    let near = tool.corner_mm() + part.stock_mm + HIGHEST_MM.max(2.0 * widest_mm(scene));
+fn touched(scene: &Passes, passes: &Sweep) -> Vec<Option<(Point, f64)>> {
+    let (tool, part, stands) = (scene.tool, scene.part, scene.stands);
+    let near = tool.corner_mm() + part.stock_mm + HIGHEST_MM.max(2.0 * scene.widest_mm);
     let chunk = |k: usize| {
         let mut search = DiscSearch::new(part);
         let one = |i: usize| {
