@@ -98,7 +98,7 @@ function drawScatter(cx, cy) {
   const both = rows.filter(k => isNumber(cx.cells[k]) && isNumber(cy.cells[k])).sort((a, b) => cx.cells[a] - cx.cells[b] || a - b);
   const x = both.map(k => cx.cells[k]);
   plot('scatter', {
-    x: cx.name, y: cy.name, points: true,
+    x: cx.name, y: cy.name, points: true, tip: true,
     series: looks.map(([word, colour, hollow]) => ({ name: word, x, y: both.map(k => (status[k] === word ? cy.cells[k] : null)), colour, hollow, marks: true })),
     say: on => {
       const more = on.length > NAMES ? ` and ${on.length - NAMES} more` : '';

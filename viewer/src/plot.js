@@ -27,10 +27,10 @@ const room = (u, values) => Math.max(52, 20 + 7 * Math.max(0, ...(values || []).
 /**
  * A plot in a box.
  * spec: {x: label, y: label, series: [{name, x, y, colour, dash, width, bars, marks, hollow, quiet}], bands: [[key, key]], range, equal, extent,
- *        points, say(rows, x), onMove(x, row), onPick(x, row), draw(u, context), legend()}
+ *        points, tip, say(rows, x), onMove(x, row), onPick(x, row), draw(u, context), legend()}
  * Series may have lists of x of their own, each in rising order. `bars` stand from their x to the next. `marks` are points without a line,
- * `hollow` ones are rings. With `points` the mark nearest to the pointer answers, in both directions, and its words stand beside it too;
- * rows that lie on one another answer together. `say` gives the words, where they are not the values of all series at a place.
+ * `hollow` ones are rings. With `points` the mark nearest to the pointer answers, in both directions; rows that lie on one another answer
+ * together. With `tip` its words stand beside it too. `say` gives the words, where they are not the values of all series at a place.
  */
 export function plot(id, spec) {
   const box = $(id);
@@ -142,7 +142,7 @@ export function plot(id, spec) {
   const tell = u => {
     out.textContent = here == null ? '' : words(u, here);
     u.over.style.cursor = here != null && spec.onPick ? 'pointer' : '';
-    if (!spec.points) return;
+    if (!spec.tip) return;
     tip.hidden = here == null;
     if (here == null) return;
     tip.textContent = out.textContent;
@@ -182,7 +182,7 @@ export function plot(id, spec) {
     },
   }, values, holder);
   const over = u.over;
-  if (spec.points) over.append(tip);
+  if (spec.tip) over.append(tip);
   const pick = () => { if (here != null) spec.onPick?.(u.data[0][here], here); };
   over.addEventListener('pointermove', () => { moved = true; });
   over.addEventListener('pointerleave', () => { moved = false; });
