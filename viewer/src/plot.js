@@ -24,6 +24,76 @@ const ticks = (u, values) => {
 /** Room for the numbers beside the y axis, px: more where they are long. */
 const room = (u, values) => Math.max(52, 20 + 7 * Math.max(0, ...(values || []).map(v => v.length)));
 
+/** How a series is drawn. */
+const lineOf = (s, spec) => {
+  const size = spec.points ? 10 : 8;
+  const dot = s.hollow ? { fill: style('--bg'), width: 2.5, stroke: colourOf(s) } : { fill: colourOf(s), width: 1, stroke: style('--bg') };
+  return {
+    label: s.name,
+    stroke: colourOf(s),
+    width: s.marks ? 0 : s.width || 1.5,
+    dash: dashes[s.dash || 'solid'],
+    // Colours have six digits; two more make them pale.
+    fill: s.bars ? `${colourOf(s)}59` : undefined,
+    points: s.marks ? { show: true, size, ...dot } : { show: false },
+    paths: s.marks ? () => null : s.bars ? uPlot.paths.bars({ size: [1], align: 1 }) : undefined,
+  };
+};
+
+/** What a scale shows: what the plot asks for, or all values and a little more on either side. */
+const rangeOf = (spec, key) => {
+  if (spec.equal) return u => onEqual(u, spec.extent, key);
+  const pad = key === 'x' && !spec.points ? 0 : 0.05;
+  return spec.range?.[key] || ((u, lo, hi) => {
+    if (lo == null || hi == null) return [0, 1];
+    const more = hi > lo ? pad * (hi - lo) : Math.max(1, 0.05 * Math.abs(hi));
+    return [lo - more, hi + more];
+  });
+};
+
+/** The same length of a unit on both scales. */
+const onEqual = (u, extent, key) => {
+  const [w, h] = [u.bbox.width || 1, u.bbox.height || 1];
+  const [own, other] = key === 'x' ? [extent.x, extent.y] : [extent.y, extent.x];
+  const [a, b] = key === 'x' ? [w, h] : [h, w];
+  const unit = 1.06 * Math.max((own[1] - own[0]) / a, (other[1] - other[0]) / b);
+  const mid = (own[0] + own[1]) / 2;
+  return [mid - 0.5 * unit * a, mid + 0.5 * unit * a];
+};
+
+/** Puts a tip beside a place of the plot, on the side where there is more room. */
+function putBeside(tip, u, left, top) {
+  const [w, h] = [u.over.clientWidth, u.over.clientHeight];
+  const across = left < w / 2 ? { left: left + 10 } : { right: w - left + 10 };
+  const along = top < h / 2 ? { top: top + 10 } : { bottom: h - top + 10 };
+  const px = { ...across, ...along };
+  for (const side of ['left', 'right', 'top', 'bottom']) tip.style[side] = side in px ? `${px[side]}px` : 'auto';
+}
+
+/** The legend, whose buttons switch series on and off. */
+function switches(keys, spec, series, hidden, u) {
+  if (spec.legend) keys.innerHTML = spec.legend();
+  for (const name of new Set(series.filter(s => !s.quiet).map(s => s.name))) {
+    const s = series.find(q => q.name === name);
+    const b = document.createElement('button');
+    b.type = 'button';
+    b.setAttribute('aria-pressed', String(!hidden.has(name)));
+    const c = colourOf(s);
+    const dash = dashes[s.dash || 'solid'].join(' ');
+    b.innerHTML = s.marks
+      ? `<svg aria-hidden="true" viewBox="0 0 26 12"><circle cx="13" cy="6" r="4" fill="${s.hollow ? 'none' : c}" stroke="${c}" stroke-width="2"/></svg>`
+      : `<svg aria-hidden="true" viewBox="0 0 26 12"><path d="M1 6H25" stroke="${c}" stroke-width="${s.bars ? 8 : 2.5}" stroke-dasharray="${dash}"/></svg>`;
+    b.append(name);
+    b.addEventListener('click', () => {
+      if (hidden.has(name)) hidden.delete(name);
+      else hidden.add(name);
+      b.setAttribute('aria-pressed', String(!hidden.has(name)));
+      series.forEach((q, k) => { if (q.name === name) u.setSeries(k + 1, { show: !hidden.has(name) }); });
+    });
+    keys.append(b);
+  }
+}
+
 /**
  * A plot in a box.
  * spec: {x: label, y: label, series: [{name, x, y, colour, dash, width, bars, marks, hollow, quiet}], bands: [[key, key]], range, equal, extent,
@@ -52,38 +122,9 @@ export function plot(id, spec) {
   const tables = series.map(s => [Array.from(s.x), nulls(s.y)]);
   const same = series.every(s => s.x === series[0].x);
   const values = same ? [tables[0][0], ...tables.map(t => t[1])] : uPlot.join(tables, tables.map(() => [1, 1]));
-  const gaps = !same;
   const width = Math.max(240, box.clientWidth || 600);
   const height = spec.equal ? Math.round(Math.min(width * 0.75, 420)) : Math.round(Math.max(210, Math.min(width * 0.42, 340)));
   const axis = { stroke: style('--soft'), grid: { stroke: style('--line'), width: 1 }, ticks: { stroke: style('--line'), width: 1 }, font: '12px system-ui', labelFont: '12px system-ui' };
-  const size = spec.points ? 10 : 8;
-  const row = s => ({
-    label: s.name,
-    show: !hidden.has(s.name),
-    stroke: colourOf(s),
-    width: s.marks ? 0 : s.width || 1.5,
-    dash: dashes[s.dash || 'solid'],
-    // Colours have six digits; two more make them pale.
-    fill: s.bars ? `${colourOf(s)}59` : undefined,
-    spanGaps: gaps,
-    points: !s.marks ? { show: false } : s.hollow ? { show: true, size, fill: style('--bg'), width: 2.5, stroke: colourOf(s) } : { show: true, size, fill: colourOf(s), width: 1, stroke: style('--bg') },
-    paths: s.marks ? () => null : s.bars ? uPlot.paths.bars({ size: [1], align: 1 }) : undefined,
-  });
-  const range = spec.range || {};
-  const frame = (u, lo, hi, pad) => {
-    if (lo == null || hi == null) return [0, 1];
-    const more = hi > lo ? pad * (hi - lo) : Math.max(1, 0.05 * Math.abs(hi));
-    return [lo - more, hi + more];
-  };
-  const onEqual = (u, key, lo, hi) => {
-    const [w, h] = [u.bbox.width || 1, u.bbox.height || 1];
-    const other = key === 'x' ? spec.extent.y : spec.extent.x;
-    const own = spec.extent[key];
-    const [a, b] = key === 'x' ? [w, h] : [h, w];
-    const unit = 1.06 * Math.max((own[1] - own[0]) / a, (other[1] - other[0]) / b);
-    const mid = (own[0] + own[1]) / 2;
-    return [mid - 0.5 * unit * a, mid + 0.5 * unit * a];
-  };
 
   // Bars answer up to the next one, and the last place is only the end of the last bar.
   const bars = same && series.every(s => s.bars);
@@ -146,22 +187,15 @@ export function plot(id, spec) {
     tip.hidden = here == null;
     if (here == null) return;
     tip.textContent = out.textContent;
-    // On the side of the point where there is more room.
-    const [w, h] = [u.over.clientWidth, u.over.clientHeight];
-    const [left, top] = [u.valToPos(u.data[0][here], 'x'), u.valToPos(heightOf(u, here) ?? 0, 'y')];
-    const place = { left: left < w / 2 ? left + 10 : null, right: left < w / 2 ? null : w - left + 10, top: top < h / 2 ? top + 10 : null, bottom: top < h / 2 ? null : h - top + 10 };
-    for (const [side, px] of Object.entries(place)) tip.style[side] = px == null ? 'auto' : `${px}px`;
+    putBeside(tip, u, u.valToPos(u.data[0][here], 'x'), u.valToPos(heightOf(u, here) ?? 0, 'y'));
   };
 
   const u = new uPlot({
     width, height,
     padding: [8, 12, 0, 0],
     legend: { show: false },
-    scales: {
-      x: { time: false, range: spec.equal ? (u, lo, hi) => onEqual(u, 'x', lo, hi) : range.x || ((u, lo, hi) => frame(u, lo, hi, spec.points ? 0.05 : 0)) },
-      y: { range: spec.equal ? (u, lo, hi) => onEqual(u, 'y', lo, hi) : range.y || ((u, lo, hi) => frame(u, lo, hi, 0.05)) },
-    },
-    series: [{ label: spec.x }, ...series.map(row)],
+    scales: { x: { time: false, range: rangeOf(spec, 'x') }, y: { range: rangeOf(spec, 'y') } },
+    series: [{ label: spec.x }, ...series.map(s => ({ ...lineOf(s, spec), show: !hidden.has(s.name), spanGaps: !same }))],
     bands: (spec.bands || []).map(([a, b]) => [series.findIndex(s => s.key === a) + 1, series.findIndex(s => s.key === b) + 1])
       .filter(([a, b]) => a && b).map(([a, b]) => ({ series: [a, b], fill: style('--fill') })),
     axes: [{ ...axis, label: spec.x, labelSize: 18, size: 34, values: ticks }, { ...axis, label: spec.y, labelSize: 18, size: room, values: ticks }],
@@ -188,8 +222,10 @@ export function plot(id, spec) {
   over.addEventListener('pointerleave', () => { moved = false; });
   over.addEventListener('click', pick);
   over.addEventListener('dblclick', () => u.setData(values, true));
-  const go = i => {
+  /** Reads a row, or the next one that way where something is shown. */
+  const go = (i, way) => {
     asked = Math.max(0, Math.min(last, i));
+    while (heightOf(u, asked) == null && asked + way >= 0 && asked + way <= last) asked += way;
     moved = true;
     u.setCursor({ left: u.valToPos(values[0][asked], 'x'), top: u.valToPos(heightOf(u, asked) ?? 0, 'y') });
     moved = false;
@@ -198,34 +234,14 @@ export function plot(id, spec) {
   holder.addEventListener('keydown', e => {
     const by = { ArrowRight: 1, ArrowLeft: -1, PageDown: 10, PageUp: -10 }[e.key];
     // The first key reads the first place.
-    if (by) go(here == null ? 0 : here + by);
-    else if (e.key === 'Home') go(0);
-    else if (e.key === 'End') go(last);
+    if (by) go(here == null ? 0 : here + by, Math.sign(by));
+    else if (e.key === 'Home') go(0, 1);
+    else if (e.key === 'End') go(last, -1);
     else if (e.key === 'Enter' && here != null) pick();
     else return;
     e.preventDefault();
   });
-  const keys = box.querySelector('.legend');
-  if (spec.legend) keys.innerHTML = spec.legend();
-  for (const name of new Set(series.filter(s => !s.quiet).map(s => s.name))) {
-    const s = series.find(q => q.name === name);
-    const b = document.createElement('button');
-    b.type = 'button';
-    b.setAttribute('aria-pressed', String(!hidden.has(name)));
-    const c = colourOf(s);
-    const dash = dashes[s.dash || 'solid'].join(' ');
-    b.innerHTML = s.marks
-      ? `<svg aria-hidden="true" viewBox="0 0 26 12"><circle cx="13" cy="6" r="4" fill="${s.hollow ? 'none' : c}" stroke="${c}" stroke-width="2"/></svg>`
-      : `<svg aria-hidden="true" viewBox="0 0 26 12"><path d="M1 6H25" stroke="${c}" stroke-width="${s.bars ? 8 : 2.5}" stroke-dasharray="${dash}"/></svg>`;
-    b.append(name);
-    b.addEventListener('click', () => {
-      if (hidden.has(name)) hidden.delete(name);
-      else hidden.add(name);
-      b.setAttribute('aria-pressed', String(!hidden.has(name)));
-      series.forEach((q, k) => { if (q.name === name) u.setSeries(k + 1, { show: !hidden.has(name) }); });
-    });
-    keys.append(b);
-  }
+  switches(box.querySelector('.legend'), spec, series, hidden, u);
   const entry = { u, hidden, redraw: () => plot(id, spec) };
   plots.set(id, entry);
   return {

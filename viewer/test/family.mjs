@@ -184,6 +184,12 @@ async function desktop(browser) {
     await page.mouse.move(...alone.page);
     assert.equal(await page.textContent('#scatter .readout'), '');
   }
+  await page.focus('#scatter .canvas');
+  for (const key of ['Home', 'End']) {
+    await page.keyboard.press(key);
+    const name = (await page.textContent('#scatter .readout')).split(/[,:]| and /)[0];
+    assert.equal(all.find(m => m.name === name)?.status, 'findings', `${key} reads ${name}`);
+  }
   await good.click();
   await theTable(page);
 
