@@ -86,7 +86,7 @@ bench-feed locations="2000":
 bench:
     cargo bench --bench closest
 
-# report.html and preview.glb of every example in headless Chromium, and Khronos' validator: Node 20, chromium
+# report.html and preview.glb of every example and a family's page in headless Chromium, and Khronos' validator: Node 20, chromium
 look:
     bash viewer/test/run.sh
 
@@ -94,7 +94,7 @@ look:
 pictures:
     PICTURES=1 bash viewer/test/run.sh
 
-# The report's script anew from viewer/src and the pinned packages
+# The scripts of report.html and family.html anew from viewer/src and the pinned packages
 viewer:
     cd viewer && npm ci && npm run build
 

@@ -39,6 +39,7 @@ PERMISSIVE = {
 }
 # Packages of viewer/package.json that are in the bundle; the others build and test it.
 BUNDLED = {"three", "uplot"}
+BUNDLED_IN_FAMILY = {"uplot"}
 TOOLS = {"esbuild", "gltf-validator", "playwright-core"}
 
 LICENCE_FILE = re.compile(
@@ -160,18 +161,20 @@ def text_of(file: Path) -> str:
 
 
 def viewer() -> tuple[str, str]:
-    """Name and text of the notice at the top of the viewer's bundle."""
+    """Name and text of the notice at the top of the viewer's bundles."""
     listed = json.loads((ROOT / "viewer/package.json").read_text())
     packages = {**listed.get("dependencies", {}), **listed.get("devDependencies", {})}
     unknown = set(packages) - BUNDLED - TOOLS
     if unknown:
         raise SystemExit(f"viewer/package.json names {unknown}: say here whether they are bundled")
-    bundle = (ROOT / "viewer/dist/viewer.js").read_text()
-    notice = re.match(r"/\*!(.*?)\*/", bundle, re.S)
-    if not notice or not all(packages[p] in notice[1] for p in BUNDLED):
-        raise SystemExit("viewer/dist/viewer.js does not begin with the notice of its packages")
+    # The family's script has a part of the packages; the report's notice covers all.
+    notices = {}
+    for script, bundled in (("viewer.js", BUNDLED), ("family.js", BUNDLED_IN_FAMILY)):
+        notices[script] = re.match(r"/\*!(.*?)\*/", (ROOT / "viewer/dist" / script).read_text(), re.S)
+        if not notices[script] or not all(packages[p] in notices[script][1] for p in bundled):
+            raise SystemExit(f"viewer/dist/{script} does not begin with the notice of its packages")
     name = ", ".join(f"{p} {packages[p]} (MIT)" for p in sorted(BUNDLED))
-    return f"{name}, in the script of report.html", notice[1].strip()
+    return f"{name}, in the scripts of report.html and family.html", notices["viewer.js"][1].strip()
 
 
 def gathered(packages: list[dict]) -> str:

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use super::members::{BladeSource, Member};
+use super::member::{BladeSource, Member};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job::JobFile;

@@ -4,40 +4,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use super::design;
 use super::file::{self, Combine, FamilyFile, MOST_MEMBERS, Override};
-use super::models;
-use super::table;
+use super::member::{BladeSource, Member, set};
+use super::{design, models, table};
 use crate::error::{Error, Result, Stage};
 use crate::job::JobFile;
-use crate::make::BladeDesign;
 use crate::run::inputs;
 use crate::settings::{from_value, to_value};
-
-/// Where a member's blade comes from.
-#[derive(Clone, Debug, PartialEq)]
-pub enum BladeSource {
-    /// A model file, absolute.
-    Model(PathBuf),
-    /// The generator.
-    Design(Box<BladeDesign>),
-}
-
-/// One member of a family.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Member {
-    /// Its name, that of its folder too.
-    pub name: String,
-    /// Its blade.
-    pub source: BladeSource,
-    /// Name of a made blade: the member's, without what varies the job alone, since members that
-    /// differ by that have one blade.
-    pub blade: String,
-    /// Its job as typed; paths in it are absolute, `model.file` is left out.
-    pub job: JobFile,
-    /// The parameters by which the family file tells it apart.
-    pub parameters: BTreeMap<String, serde_json::Value>,
-}
 
 /// A family: members in the order of the file, names all different.
 #[derive(Clone, Debug, PartialEq)]
@@ -258,28 +231,6 @@ fn value_name(value: &toml::Value, pick: usize) -> String {
     let fits =
         !text.is_empty() && text.len() <= 24 && text.chars().all(|c| c.is_ascii_alphanumeric() || "-.".contains(c));
     if fits { text } else { format!("n{}", pick + 1) }
-}
-
-/// Sets one parameter of a member.
-pub(super) fn set(member: &mut Member, key: &str, value: &toml::Value) -> Result<()> {
-    let wrong = |why: String| usage(format!("parameter `{key}`: {why}"));
-    let parts: Vec<&str> = key.split('.').map(str::trim).collect();
-    let Some((section, rest)) = parts.split_first().filter(|(_, rest)| !rest.is_empty()) else {
-        return Err(wrong("unknown; a parameter is a section and a name, as tool.radius_mm".into()));
-    };
-    if parts.iter().any(|p| p.is_empty()) || key == "model.file" || key == "design.name" {
-        return Err(wrong("this cannot be varied; models are named by `models` or by a column `model`".into()));
-    }
-    match (*section, &mut member.source) {
-        ("design" | "vary", BladeSource::Design(d)) => design::set(d, section, rest, value).map_err(wrong)?,
-        ("design" | "vary", BladeSource::Model(_)) => {
-            return Err(wrong("the member's blade is a model file, not a design of the generator".into()));
-        }
-        _ => member.job.set_value(&parts, value.clone()).map_err(wrong)?,
-    }
-    let told = serde_json::to_value(value).map_err(|e| wrong(e.to_string()))?;
-    member.parameters.insert(key.to_owned(), told);
-    Ok(())
 }
 
 /// Names become folders: refused where two are the same (in whatever case), or cannot be a folder's

@@ -31,6 +31,7 @@ mod columns;
 mod crew;
 mod design;
 pub mod file;
+mod member;
 mod members;
 mod memory;
 mod models;
@@ -49,7 +50,8 @@ mod tests;
 mod worker;
 
 pub use file::{FamilyFile, schema};
-pub use members::{BladeSource, Family, Member};
+pub use member::{BladeSource, Member};
+pub use members::Family;
 pub use picture::Picture;
 pub use record::{Record, Status};
 pub use shard::Shard;

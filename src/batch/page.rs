@@ -1,5 +1,6 @@
 //! `family.html`: one self-contained page over all members: a table that sorts, small pictures,
-//! plots across the family.
+//! charts across the family. Its script is `viewer/dist/family.js`, built from `viewer/src`, which
+//! draws charts as the report does.
 
 use serde_json::{Value, json};
 
@@ -22,6 +23,11 @@ const SHOWN: [&str; 12] = [
     "channel_width_min_deg",
     "uncut_area_mm2",
 ];
+
+/// The page's script, with the licences of what it was built from at its head.
+const SCRIPT: &str = include_str!("../../viewer/dist/family.js");
+/// The style of charts, and the colours of all pages.
+const STYLE: &str = include_str!("../../viewer/dist/viewer.css");
 
 /// The page; `columns` are those of the tables.
 ///
@@ -51,14 +57,14 @@ pub(super) fn html(name: &str, records: &[Record], columns: &[Column]) -> Result
     Ok(format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title} – bladewright family</title>\n<style>\n{css}</style>\n</head>\n<body>\n\
-         <header><h1>{title}</h1><p>{n} members: {counts}</p></header>\n<main>\n{body}</main>\n\
-         <script type=\"application/json\" id=\"data\">{data}</script>\n<script>\n{js}</script>\n</body>\n</html>\n",
+         <title>{title} – bladewright family</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n{STYLE}{css}</style>\n</head>\n<body>\n\
+         <header><div><h1>{title}</h1><p>{n} members: {counts}</p></div>\n\
+         <button id=\"theme\" type=\"button\" aria-pressed=\"false\">Dark</button></header>\n<main>\n{body}</main>\n\
+         <script type=\"application/json\" id=\"data\">{data}</script>\n<script>\n{SCRIPT}</script>\n</body>\n</html>\n",
         css = include_str!("page.css"),
         n = records.len(),
         counts = counts.join(" "),
         body = include_str!("page_body.html"),
-        js = include_str!("page.js"),
     ))
 }
 

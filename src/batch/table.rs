@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::members::{self, BladeSource, Member};
+use super::member::{self, BladeSource, Member};
 use crate::error::{Error, Result, Stage};
 use crate::files;
 use crate::job::{self, JobFile};
@@ -97,7 +97,7 @@ impl MemberTable {
             };
             for (key, text) in self.header.iter().zip(cells) {
                 if !["name", "model"].contains(&key.as_str()) && !text.is_empty() {
-                    members::set(&mut member, key, &job::read_value(text)).map_err(|e| at(e.message))?;
+                    member::set(&mut member, key, &job::read_value(text)).map_err(|e| at(e.message))?;
                 }
             }
             all.push(member);

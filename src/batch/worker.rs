@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use super::members::{BladeSource, Member};
+use super::member::{BladeSource, Member};
 use super::picture;
 use super::record::{Record, Status};
 use super::store::{RECORD, Store, trouble};

@@ -43,7 +43,6 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::{Matrix3, Unit, UnitQuaternion};
 
 use super::axis::Axis;
-use super::kinematics::Pose;
 use crate::artifact::Axes;
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Rigid, Vector};
@@ -95,6 +94,22 @@ struct Columns {
     first: usize,
     /// None: a head of four axes.
     second: Option<usize>,
+}
+
+/// Where the tool is, in the blade frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Ball centre, mm.
+    pub centre: Point,
+    /// Tool axis, unit, from tip to spindle.
+    pub axis: Vector,
+}
+
+impl Pose {
+    /// The tool tip of a ball of that radius, mm.
+    pub fn tip(&self, radius_mm: f64) -> Point {
+        self.centre - self.axis * radius_mm
+    }
 }
 
 /// A tool of the machine and the axes between the workpiece and it, ready to be computed with.

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Machine;
 use super::axis::{Axis, Carries};
-use super::chain::Head;
+use super::chain::{Head, Pose};
 use crate::artifact::Axes;
 use crate::error::Result;
 use crate::geometry::{Point, Rigid, Vector};
@@ -16,22 +16,6 @@ const ON_AXIS_MM: f64 = 1e-9;
 const ALONG: f64 = 1e-9;
 /// … this distance of the turning axis, mm, is on it: rounding of the mount.
 const ON_ROTOR_MM: f64 = 1e-6;
-
-/// Where the tool is, in the blade frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pose {
-    /// Ball centre, mm.
-    pub centre: Point,
-    /// Tool axis, unit, from tip to spindle.
-    pub axis: Vector,
-}
-
-impl Pose {
-    /// The tool tip of a ball of that radius, mm.
-    pub fn tip(&self, radius_mm: f64) -> Point {
-        self.centre - self.axis * radius_mm
-    }
-}
 
 /// A plan is made for the first head; rows have a column for every axis of the machine, those of
 /// other heads at 0.

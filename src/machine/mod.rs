@@ -81,12 +81,11 @@ mod table_head;
 mod travel;
 
 pub use axis::{Axis, AxisLimits, AxisName, Carries, Provenance};
-pub use chain::Head;
+pub use chain::{Head, Pose};
 pub use config::{
     AxisTables, DEMO_TOML, HeadTable, LinearAxis, MachineFile, Mount, PositiveA, PositiveB, RotaryAxis, Spindle, Table,
     Words,
 };
-pub use kinematics::Pose;
 pub use model::Machine;
 pub use peaks::AxisPeak;
 pub use settings::{MachineKeys, MachineSettings};

@@ -5,7 +5,7 @@
 //! workpiece for both.
 
 use super::Machine;
-use super::kinematics::Pose;
+use super::chain::Pose;
 use crate::artifact::Axes;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;

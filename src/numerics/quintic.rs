@@ -107,6 +107,11 @@ impl Breaks {
     }
 }
 
+/// The sum of the first control values, each times its weight.
+pub fn weighed<const D: usize>(controls: &[[f64; D]], weights: &[f64; ORDER]) -> [f64; D] {
+    std::array::from_fn(|d| weights.iter().zip(controls).map(|(w, c)| c[d] * w).sum())
+}
+
 /// A map applied to the control values of a span.
 pub fn apply<const D: usize>(map: &Map, controls: &[[f64; D]]) -> [[f64; D]; ORDER] {
     std::array::from_fn(|j| std::array::from_fn(|d| (0..ORDER).map(|k| map[j][k] * controls[k][d]).sum()))

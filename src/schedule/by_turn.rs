@@ -8,7 +8,7 @@
 //! of all; no bound is proved for that.
 
 use super::corridor::Corridor;
-use super::optimal::{Goal, Solved, SolverUnits, round_from};
+use super::rounds::{Goal, Solved, SolverUnits, round_from};
 use crate::artifact::Toolpath;
 use crate::artifact::schedule::Measure;
 

@@ -2,13 +2,18 @@
 
 use super::bezier;
 use super::corridor::Corridor;
-use super::piecewise::place;
 use crate::artifact::Toolpath;
 use crate::artifact::schedule::BezierPiece;
-use crate::error::{Error, Infeasible, Result, Stage};
+use crate::error::{Error, Infeasible, Result, Stage, turn_number};
 
 /// Rounding that is no finding, rad.
 const ROUNDING: f64 = 1e-8;
+
+/// `turn 3, S = 12.5 mm` of a location.
+pub(super) fn place(path: &Toolpath, row: usize) -> String {
+    let l = path.locations.get(row);
+    l.map_or_else(String::new, |l| format!("turn {}, S = {:.3} mm", turn_number(l.turn), l.turn_s_mm))
+}
 
 /// The curve has no gaps, never turns back where it is not to, and is inside the hull at all
 /// locations and half-way between.

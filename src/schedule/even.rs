@@ -16,8 +16,8 @@
 use super::bezier;
 use super::check;
 use super::corridor::Corridor;
-use super::optimal::{self, Goal, SolverUnits, round_from};
 use super::piecewise::walls_with_margin;
+use super::rounds::{Goal, SolverUnits, round_from, values};
 use super::{ScheduleOptions, curve};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
@@ -75,7 +75,7 @@ pub fn even(
         let slopes: Vec<[f64; 2]> = (0..intervals).map(|i| band.slopes(i, rates[band.turn(i)])).collect();
         let scale = SolverUnits::of_slopes(&walls, path.turns.len(), &slopes);
         let found = round_from(&walls, &scale, &Goal::Even { slopes }, 1e-7, None);
-        let found = found.map(|found| optimal::values(&walls, &scale, &found));
+        let found = found.map(|found| values(&walls, &scale, &found));
         let Some((theta, slope)) = found else { continue };
         let pieces = curve::hermite(&walls.s, &theta, &slope);
         let theta = bezier::sample_as(hull.one_way, &pieces, &hull.s);

@@ -14,7 +14,6 @@
 
 use super::corridor::{Corridor, PathAngle, slope};
 use super::taut;
-use super::turn::{PathSpan, SpanEnd};
 
 /// Lines tried from each key point onwards.
 const FAN: usize = 12;
@@ -22,6 +21,31 @@ const FAN: usize = 12;
 /// move in the first.
 const SWEEPS: usize = 14;
 const FIRST_STEP: f64 = 0.25;
+
+/// One end of a stretch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum SpanEnd {
+    /// Base point: θ and the length over which it stands still, rad and mm.
+    Level(f64, f64),
+    /// Outer end of the path; θ where it is given, rad.
+    Free(Option<f64>),
+}
+
+impl SpanEnd {
+    /// θ stands still there.
+    pub fn is_level(self) -> bool {
+        matches!(self, SpanEnd::Level(..))
+    }
+}
+
+/// A stretch of the path, in mm from its start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PathSpan {
+    pub from: f64,
+    pub to: f64,
+    pub start: SpanEnd,
+    pub end: SpanEnd,
+}
 
 /// The walls of one stretch.
 pub(super) struct Walls {

@@ -90,6 +90,7 @@ mod optimal;
 mod options;
 mod piecewise;
 mod quaternion;
+mod rounds;
 mod settings;
 mod taut;
 mod turn;

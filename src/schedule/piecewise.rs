@@ -2,14 +2,15 @@
 //! assembly.
 
 use super::bezier;
-use super::check;
+use super::check::{self, place};
 use super::corridor::{Corridor, PathAngle};
-use super::turn::{self, MOST, PathSpan, Smoothed, SpanEnd};
+use super::keys::{PathSpan, SpanEnd};
+use super::turn::{self, MOST, Smoothed};
 use super::{ScheduleOptions, curve};
 use crate::artifact::channel::Binding;
 use crate::artifact::schedule::{BaseAngle, BezierPiece, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
-use crate::error::{Error, Infeasible, Result, Stage, turn_number};
+use crate::error::{Error, Infeasible, Result, Stage};
 use crate::observe::{Doubt, Observer, Warning};
 use crate::parallel;
 
@@ -53,12 +54,6 @@ pub(super) fn plan(
     let mut out = curve::schedule(ScheduleKind::Piecewise, pieces, theta, &hull);
     out.key_points = keys;
     Ok(out)
-}
-
-/// `turn 3, S = 12.5 mm` of a location.
-pub(super) fn place(path: &Toolpath, row: usize) -> String {
-    let l = path.locations.get(row);
-    l.map_or_else(String::new, |l| format!("turn {}, S = {:.3} mm", turn_number(l.turn), l.turn_s_mm))
 }
 
 fn describe(binding: &Binding) -> String {

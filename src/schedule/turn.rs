@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::bezier::{self, CornerReach};
 use super::corridor::{Corridor, PathAngle, slope};
-use super::keys::{self, Walls};
+use super::keys::{self, PathSpan, SpanEnd, Walls};
 use super::options::Pace;
 use crate::artifact::schedule::BezierPiece;
 
@@ -21,31 +21,6 @@ const THETA_SCALE: f64 = 100.0 * TAU;
 const RAMP: f64 = 0.05;
 /// Angles tried at a free end.
 const FREE: usize = 5;
-
-/// One end of a stretch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum SpanEnd {
-    /// Base point: θ and the length over which it stands still, rad and mm.
-    Level(f64, f64),
-    /// Outer end of the path; θ where it is given, rad.
-    Free(Option<f64>),
-}
-
-impl SpanEnd {
-    /// θ stands still there.
-    pub fn is_level(self) -> bool {
-        matches!(self, SpanEnd::Level(..))
-    }
-}
-
-/// A stretch of the path, in mm from its start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PathSpan {
-    pub from: f64,
-    pub to: f64,
-    pub start: SpanEnd,
-    pub end: SpanEnd,
-}
 
 /// What was made of it.
 #[derive(Clone, Debug)]

@@ -6,7 +6,7 @@ use super::tube::frame_at;
 use crate::artifact::toolpath::CutterLocation;
 use crate::geometry::Vector;
 use crate::numerics::bounded::Factor;
-use crate::numerics::quintic::{Breaks, ORDER};
+use crate::numerics::quintic::{Breaks, weighed};
 
 /// Breaks are about so many moves apart.
 const MOVES: f64 = 2.5;
@@ -92,7 +92,7 @@ pub(super) fn fit(
     for (k, l) in locations.iter().enumerate() {
         let i = breaks.span_of(l.s_mm);
         let w = breaks.weights(i, l.s_mm);
-        let miss = l.centre.coords - value(&x, i, &w);
+        let miss = l.centre.coords - Vector::from(weighed(&x[i..], &w));
         for (direction, allowed) in frame_at(locations, k).iter().zip(allowed_mm) {
             let g = direction / allowed;
             let row: [f64; 18] = std::array::from_fn(|a| w[a / 3] * g[a % 3]);
@@ -116,9 +116,4 @@ pub(super) fn fit(
     Factor::<18>::of(band)?.solve(side.as_flattened_mut());
     x.as_flattened_mut().iter_mut().zip(side.as_flattened()).for_each(|(x, d)| *x += d);
     x.as_flattened().iter().all(|v| v.is_finite()).then_some(x)
-}
-
-/// The point that weights of the control points of span `i` make.
-pub(super) fn value(x: &[[f64; 3]], i: usize, w: &[f64; ORDER]) -> Vector {
-    (0..ORDER).map(|k| Vector::from(x[i + k]) * w[k]).sum()
 }

@@ -9,9 +9,10 @@ use super::turn::Turning;
 use super::{Objective, SmoothOptions};
 use crate::artifact::curve::{CurveProof, CurveStretch};
 use crate::artifact::toolpath::CutterLocation;
+use crate::geometry::Vector;
 use crate::geometry::allowance::Allowed;
 use crate::numerics::bounded::{self, Enough, Missed, Solution};
-use crate::numerics::quintic::{Breaks, CONDITION};
+use crate::numerics::quintic::{Breaks, CONDITION, weighed};
 
 /// The first fit may miss the locations along the normal by this share of the room.
 const FIT: f64 = 0.5;
@@ -79,7 +80,7 @@ impl Stretch<'_> {
             let mut marks = vec![false; breaks.spans()];
             for (l, room) in self.locations.iter().zip(self.room) {
                 let i = breaks.span_of(l.s_mm);
-                let miss = l.centre.coords - start::value(&x, i, &breaks.weights(i, l.s_mm));
+                let miss = l.centre.coords - Vector::from(weighed(&x[i..], &breaks.weights(i, l.s_mm)));
                 marks[i] |= l.normal.dot(&miss).abs() > FIT * room.inwards_mm.min(room.outwards_mm);
             }
             if !marks.contains(&true) || breaks.spans() > MOST_BREAKS * self.locations.len() {

@@ -8,6 +8,7 @@ use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Turn};
 use crate::artifact::{Cones, Toolpath};
 use crate::geometry::exact::tests::can;
 use crate::geometry::{Point, Vector};
+use crate::numerics::quintic::weighed;
 use crate::numerics::spline::{CubicSpline, SplineEnds};
 use crate::observe::Silent;
 
@@ -296,7 +297,7 @@ fn a_proof_holds_at_every_place() {
             let mut worst = [0.0_f64; 2];
             for k in 0..=500 {
                 let s = a + (b - a) * f64::from(k) / 500.0;
-                let p = Point::from(start::value(&x, i, &breaks.weights(i, s)));
+                let p = Point::from(weighed(&x[i..], &breaks.weights(i, s)));
                 let off = part.closest(&p, f64::INFINITY).unwrap().distance_mm - BALL;
                 worst = [worst[0].max(-off), worst[1].max(off)];
             }

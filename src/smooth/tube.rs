@@ -12,12 +12,11 @@
 
 use super::form::Form;
 use super::room::Room;
-use super::start;
 use crate::artifact::toolpath::CutterLocation;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 use crate::numerics::bounded::{Row, Span, Strip};
-use crate::numerics::quintic::{Breaks, Map, ORDER, apply};
+use crate::numerics::quintic::{Breaks, Map, ORDER, apply, weighed};
 use crate::parallel;
 
 /// Places of a span from which the part is looked at, evenly spread over it.
@@ -58,7 +57,7 @@ pub(super) fn look(part: &Allowed, radius_mm: f64, breaks: &Breaks, x: &[[f64; 3
         let mut out = [Seen { off_mm: 0.0, normal: Vector::zeros() }; PLACES];
         for (k, seen) in out.iter_mut().enumerate() {
             let s = a + (b - a) * k as f64 / (PLACES - 1) as f64;
-            let c = Point::from(start::value(x, i, &breaks.weights(i, s)));
+            let c = Point::from(weighed(&x[i..], &breaks.weights(i, s)));
             let near = part.closest(&c, 2.0 * radius_mm)?;
             let normal = (c - near.point).try_normalize(1e-9)?;
             *seen = Seen { off_mm: near.distance_mm - radius_mm, normal };
@@ -192,7 +191,7 @@ impl Tube<'_> {
         let moves = self.locations[self.near(i)].windows(2);
         let moves = moves.map(|w| (w, [w[0].s_mm.max(a), w[1].s_mm.min(b)])).filter(|(_, [p, q])| p < q);
         let miss = |w: &[CutterLocation], s: f64| {
-            across.dot(&(between(w, s) - start::value(self.x, i, &self.breaks.weights(i, s))))
+            across.dot(&(between(w, s) - Vector::from(weighed(&self.x[i..], &self.breaks.weights(i, s)))))
         };
         let mut most = [f64::INFINITY, f64::NEG_INFINITY];
         for (w, ends) in moves.clone() {
@@ -227,7 +226,7 @@ impl Tube<'_> {
         let [across, along] = self.sides(i, k);
         let after = self.locations.partition_point(|l| l.s_mm <= s).clamp(1, self.locations.len() - 1);
         let there = between(&self.locations[after - 1..=after], s);
-        let miss = across.dot(&(there - start::value(self.x, i, &w)));
+        let miss = across.dot(&(there - Vector::from(weighed(&self.x[i..], &w))));
         let row = |direction: Vector, lo, hi| Row { g: std::array::from_fn(|a| w[a / 3] * direction[a % 3]), lo, hi };
         vec![
             row(seen.normal, -room.inwards_mm - seen.off_mm, room.outwards_mm - seen.off_mm),

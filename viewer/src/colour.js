@@ -1,4 +1,5 @@
-import { data, show } from './data.js';
+import { show } from './basics.js';
+import { data } from './data.js';
 
 const parse = hex => [1, 3, 5].map(k => parseInt(hex.slice(k, k + 2), 16) / 255);
 const stops = data.colours.map(parse);

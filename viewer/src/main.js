@@ -1,9 +1,11 @@
 // The page's script: theme, the 3-D view with its controls, the plots.
-import { $, before, data, show } from './data.js';
+import { $, before, show } from './basics.js';
+import { data, list as numbers } from './data.js';
 import { legend } from './colour.js';
 import { cursor } from './cursor.js';
 import { plots, redrawAll } from './plot.js';
 import { View, minmax, path, placeOf, timeOf } from './scene.js';
+import { theme } from './theme.js';
 import * as turns from './turns.js';
 import * as scallop from './scallop.js';
 import * as sections from './sections.js';
@@ -12,15 +14,13 @@ import * as program from './program.js';
 const P = data.scene.path;
 let view = null;
 
-// ---- theme --------------------------------------------------------------------------------------------------------
-const setTheme = dark => {
-  document.documentElement.dataset.theme = dark ? 'dark' : 'light';
-  $('theme').setAttribute('aria-pressed', String(dark));
-  $('theme').textContent = dark ? 'Light' : 'Dark';
-};
 const drawn = () => { view?.theme(); redrawAll(); };
-setTheme(matchMedia('(prefers-color-scheme: dark)').matches);
-$('theme').addEventListener('click', () => { setTheme(document.documentElement.dataset.theme !== 'dark'); drawn(); });
+theme(drawn, () => {
+  const closed = [...document.querySelectorAll('details:not([open])')];
+  for (const d of closed) d.open = true;
+  return () => { for (const d of closed) d.open = false; };
+});
+addEventListener('beforeprint', () => view?.refine());
 
 // ---- 3-D view -----------------------------------------------------------------------------------------------------
 const words = i => {
@@ -34,7 +34,6 @@ function listOf(q) {
   if (!cache.has(q.key)) cache.set(q.key, numbers(q.of));
   return cache.get(q.key);
 }
-import { list as numbers } from './data.js';
 
 const clock = t => `${Math.floor(t / 60)}:${(t % 60).toFixed(1).padStart(4, '0')}`;
 const total = path?.t.length ? path.t[path.t.length - 1] : 0;
@@ -186,25 +185,10 @@ async function start() {
   document.documentElement.dataset.drawn = String(Math.round(performance.now()));
   let width = innerWidth;
   addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; redrawAll(); } });
-  let screen = null;
-  addEventListener('beforeprint', () => {
-    screen = { dark: document.documentElement.dataset.theme === 'dark', closed: [...document.querySelectorAll('details:not([open])')] };
-    for (const d of screen.closed) d.open = true;
-    setTheme(false);
-    drawn();
-    view?.refine();
-  });
   $('print-sheet').addEventListener('click', () => {
     document.documentElement.dataset.print = 'sheet';
     print();
     delete document.documentElement.dataset.print;
-  });
-  addEventListener('afterprint', () => {
-    if (!screen) return;
-    for (const d of screen.closed) d.open = false;
-    setTheme(screen.dark);
-    drawn();
-    screen = null;
   });
 }
 start();

@@ -1,5 +1,6 @@
 // The line of the program that moves the tool to where it is.
-import { $, unpacked } from './data.js';
+import { $ } from './basics.js';
+import { unpacked } from './data.js';
 
 const P = JSON.parse($('program').textContent);
 let texts = [];

@@ -1,7 +1,7 @@
 // Lines some pixels wide. WebGL draws lines one pixel wide only; three.js' fat lines are instanced, which takes seconds a frame where the browser
 // draws without a graphics card. Here each point is two vertices that the vertex shader moves apart across the line on the screen.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, Sphere, Vector2, Vector3 } from 'three';
-import { before } from './data.js';
+import { before } from './basics.js';
 
 const vertex = `
 #include <clipping_planes_pars_vertex>

@@ -1,5 +1,6 @@
 // How often which scallop occurs, and where.
-import { $, data, list, show } from './data.js';
+import { $, show } from './basics.js';
+import { data, list } from './data.js';
 import { colourOf, css, legend, shareOf } from './colour.js';
 import { cursor } from './cursor.js';
 import { plot } from './plot.js';
@@ -17,7 +18,7 @@ export function drawHistogram() {
   plot('chart-histogram', {
     x: 'height, µm', y: 'share, %',
     series: [
-      { name: 'surface', x, y: share(h.samples), colour: 'c1', bars: true, fill: 'rgba(0,114,178,0.35)', width: 1 },
+      { name: 'surface', x, y: share(h.samples), colour: 'c1', bars: true, width: 1 },
       { name: 'ridges', x: outline[0], y: outline[1], colour: 'c2', width: 2 },
     ],
     range: { y: (u, lo, hi) => [0, 1.08 * (hi || 1)] },
@@ -51,8 +52,9 @@ export function drawMap() {
     x: 'way round the turn, %', y: 'height along the blade, mm',
     series: [{ name: 'scallop', x: Float64Array.from(order, i => round[i]), y: Float64Array.from(order, i => x[i]), colour: 'soft', marks: true, quiet: true }],
     legend: () => `<div class="scale inline">${mapLegend()}</div>`,
+    points: true,
     onMove: (_, i) => cursor.set(s[order[i]], 'map'), onPick: (_, i) => cursor.set(s[order[i]], 'map', true),
-    more: i => `${show(1000 * height[order[i]])} µm at height ${show(x[order[i]])} mm`,
+    say: ([i], share) => `way round the turn ${show(share)} %: ${show(1000 * height[order[i]])} µm at height ${show(x[order[i]])} mm`,
     draw: (u, c) => {
       c.save();
       const r = 2.2 * devicePixelRatio;

@@ -7,7 +7,8 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-import { before, data, glb, list } from './data.js';
+import { before } from './basics.js';
+import { data, glb, list } from './data.js';
 import { colourOf, shareOf } from './colour.js';
 import { Ribbon } from './ribbon.js';
 

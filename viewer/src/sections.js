@@ -1,5 +1,6 @@
 // Plane sections: outline and curvature.
-import { $, data, list, show } from './data.js';
+import { $, show } from './basics.js';
+import { data, list } from './data.js';
 import { plot } from './plot.js';
 
 const all = data.sections || [];

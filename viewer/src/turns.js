@@ -1,5 +1,6 @@
 // S–θ plot of the turns chosen, and the axes over time of the same turns.
-import { $, before, data, list, show } from './data.js';
+import { $, before, show } from './basics.js';
+import { data, list } from './data.js';
 import { cursor } from './cursor.js';
 import { plot } from './plot.js';
 

@@ -213,6 +213,20 @@ async function desktop(browser, folder, url) {
   await page.focus('#chart-velocity .canvas');
   for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight');
   assert.match(await page.textContent('#chart-velocity .readout'), /time, s .*this plan/);
+  // The map of the scallop answers with the dot under the pointer, not with another of the same way round.
+  await page.locator('#chart-map').scrollIntoViewIfNeeded();
+  const dot = await page.evaluate(() => {
+    const u = globalThis.bladewright.plots.get('chart-map')?.u;
+    if (!u) return null;
+    const k = Math.floor(u.data[0].length / 2);
+    const { left, top } = u.over.getBoundingClientRect();
+    return { at: [left + u.valToPos(u.data[0][k], 'x'), top + u.valToPos(u.data[1][k], 'y')], height: u.data[1][k] };
+  });
+  if (dot) {
+    await page.mouse.move(...dot.at);
+    const shown = +(await page.textContent('#chart-map .readout')).match(/µm at height (\S+) mm$/)[1].replace('−', '-');
+    assert.ok(Math.abs(shown - dot.height) < 1e-4 * Math.abs(dot.height) + 0.3, `the dot at height ${dot.height} answers as ${shown}`);
+  }
   // Every control is reached by the Tab key.
   const wanted = await page.$$eval('main a[href], main button, main select, main input, main summary, main [tabindex="0"]', all => all.filter(e => !e.disabled && e.checkVisibility({ contentVisibilityAuto: true }) && !e.closest("details:not([open]) pre")).length);
   await page.focus('#theme');

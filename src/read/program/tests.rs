@@ -150,29 +150,32 @@ fn followed(text: &str, grammar: Grammar, programmed: Programmed) -> Result<Vec<
     follow(&script.blocks, &Bench { language, zero: Zero::default(), tool: &tool, machine: &machine })
 }
 
-/// Every word that changes where the tool goes and is not read is refused with its line.
+/// Every word that changes where the tool goes and is not read is refused with its line; the
+/// program without it is read.
+#[track_caller]
+fn refused_between(before: &str, words: &[&str], after: &str, grammar: Grammar, programmed: Programmed) {
+    for word in words {
+        let number =
+            |line: String, at: usize| if grammar == Grammar::Heidenhain { format!("{at} {line}") } else { line };
+        let lines = [before, "\n", word, "\n", after].concat();
+        let text: Vec<String> = lines.lines().enumerate().map(|(k, l)| number(l.to_owned(), k)).collect();
+        let line = before.lines().count() + 1;
+        let e = followed(&text.join("\n"), grammar, programmed).map(|m| m.len()).expect_err(word);
+        let last = line + word.lines().count() - 1;
+        let told = (line..=last).any(|l| e.message.starts_with(&format!("line {l} of the program")));
+        assert!(told, "{word}: {}", e.message);
+    }
+    let without = [before, "\n", after].concat();
+    let numbered = without.lines().enumerate().map(|(k, l)| match grammar {
+        Grammar::Heidenhain => format!("{k} {l}\n"),
+        _ => format!("{l}\n"),
+    });
+    assert!(followed(&numbered.collect::<String>(), grammar, programmed).is_ok(), "{before}");
+}
+
 #[test]
-fn no_word_that_moves_or_changes_the_frame_is_passed_over() {
-    let planted = |before: &str, words: &[&str], after: &str, grammar, programmed| {
-        for word in words {
-            let number =
-                |line: String, at: usize| if grammar == Grammar::Heidenhain { format!("{at} {line}") } else { line };
-            let lines = [before, "\n", word, "\n", after].concat();
-            let text: Vec<String> = lines.lines().enumerate().map(|(k, l)| number(l.to_owned(), k)).collect();
-            let line = before.lines().count() + 1;
-            let e = followed(&text.join("\n"), grammar, programmed).map(|m| m.len()).expect_err(word);
-            let last = line + word.lines().count() - 1;
-            let told = (line..=last).any(|l| e.message.starts_with(&format!("line {l} of the program")));
-            assert!(told, "{word}: {}", e.message);
-        }
-        let without = [before, "\n", after].concat();
-        let numbered = without.lines().enumerate().map(|(k, l)| match grammar {
-            Grammar::Heidenhain => format!("{k} {l}\n"),
-            _ => format!("{l}\n"),
-        });
-        assert!(followed(&numbered.collect::<String>(), grammar, programmed).is_ok(), "{before}");
-    };
-    let gcode = [
+fn no_word_of_g_code_that_moves_or_changes_the_frame_is_passed_over() {
+    let words = [
         "G10 L2 P1 X5",
         "G92 X0",
         "G92.1",
@@ -232,8 +235,12 @@ fn no_word_that_moves_or_changes_the_frame_is_passed_over() {
         "Z5 R3",
         "G90.1 G2 X5 I1",
     ];
-    planted("G0 X0 Y0 Z0\nG1 X1 F100", &gcode, "X2\nM30", Grammar::Gcode, Programmed::Machine);
-    let siemens = [
+    refused_between("G0 X0 Y0 Z0\nG1 X1 F100", &words, "X2\nM30", Grammar::Gcode, Programmed::Machine);
+}
+
+#[test]
+fn no_word_of_siemens_that_moves_or_changes_the_frame_is_passed_over() {
+    let words = [
         "SCALE X2",
         "ASCALE X2",
         "MIRROR X0",
@@ -290,8 +297,13 @@ fn no_word_that_moves_or_changes_the_frame_is_passed_over() {
         "G58 X5",
         "DIAMON",
     ];
-    planted("MSG(\"A\")\nG0 X0 Y0 Z0\nG1 X1 F100", &siemens, "X2\nM30", Grammar::Gcode, Programmed::Machine);
-    let klartext = [
+    let before = "MSG(\"A\")\nG0 X0 Y0 Z0\nG1 X1 F100";
+    refused_between(before, &words, "X2\nM30", Grammar::Gcode, Programmed::Machine);
+}
+
+#[test]
+fn no_word_of_klartext_that_moves_or_changes_the_frame_is_passed_over() {
+    let words = [
         "CYCL DEF 8.0 MIRROR IMAGE\nCYCL DEF 8.1 X",
         "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+5",
         "CYCL DEF 11.0 SCALING",
@@ -353,9 +365,13 @@ fn no_word_that_moves_or_changes_the_frame_is_passed_over() {
         "L X+1 TX0 TY0 TZ1 A+5",
     ];
     let before = "BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F100\nM128\nL X+0 Y+0 Z+0 FMAX";
-    planted(before, &klartext, "L X+1\nM30", Grammar::Heidenhain, Programmed::Centre);
-    planted("M3\nM4", &["BEGIN PGM A INCH"], "M30", Grammar::Heidenhain, Programmed::Centre);
-    let apt = [
+    refused_between(before, &words, "L X+1\nM30", Grammar::Heidenhain, Programmed::Centre);
+    refused_between("M3\nM4", &["BEGIN PGM A INCH"], "M30", Grammar::Heidenhain, Programmed::Centre);
+}
+
+#[test]
+fn no_word_of_apt_that_moves_or_changes_the_frame_is_passed_over() {
+    let words = [
         "MSYS/0,0,0,1,0,0",
         "MSYS/0,0,0,2,0,0,0,1,0",
         "TRANS/1,0,0",
@@ -391,7 +407,7 @@ fn no_word_that_moves_or_changes_the_frame_is_passed_over() {
         "TLAXIS/1,2",
         "TLDATA/DRILL,5",
     ];
-    planted("PARTNO/X\nFEDRAT/100\nGOTO/0,0,1", &apt, "GOTO/1,0,0\nFINI", Grammar::Apt, Programmed::Tip);
+    refused_between("PARTNO/X\nFEDRAT/100\nGOTO/0,0,1", &words, "GOTO/1,0,0\nFINI", Grammar::Apt, Programmed::Tip);
 }
 
 #[test]

@@ -1,5 +1,6 @@
-//! The one chart engine, and the plots that are made with it: SVG and PNG files for papers and
-//! slides, drawings inside pages, small pictures of families.
+//! All charts that stand still: SVG and PNG files for papers and slides, drawings inside pages,
+//! small pictures of families. Those that answer the pointer are drawn in the browser, by
+//! `viewer/src/plot.js`; `docs/decisions/charts-that-answer.md` says why.
 //!
 //! **In**: what the report is made from. **Out**: named SVG texts ([`plots`]), and any of them as
 //! PNG ([`png()`]), whose letters are those of DejaVu Sans (Bitstream Vera licence: free to use and

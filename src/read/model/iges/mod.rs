@@ -11,13 +11,14 @@
 //!   parameters run.
 //! * [`trims`], [`solids`]: faces with their loops. Curves in space are preferred; those in the
 //!   parameter plane are carried through the surface, within [`fit::FIT_MM`].
-//! * [`build`]: which entities are bodies, and where.
+//! * [`bodies`]: which entities are bodies, and where; [`build`]: the B-rep as it grows.
 //!
 //! Guarantees: a damaged file is an error that names the entity by its directory line; memory stays
 //! in proportion to the file's size. Limits: offset curves and surfaces (130, 140),
 //! parametric-spline surfaces of other than cubic form, CSG and the compressed and binary forms of
 //! IGES are refused; annotation, colours, names and properties are passed over.
 
+pub mod bodies;
 pub mod build;
 pub mod curves;
 pub mod file;
@@ -51,7 +52,7 @@ pub fn read(path: &Path, bytes: &[u8], unit: Option<Unit>) -> Result<FaceModel> 
         Error::io(Stage::Model, format!("{}: {m}", path.display())).advise("pass --unit mm, cm, m or inch")
     })?;
     let mut build = Build::new(&file);
-    let mut notes = build.all(&Matrix4::new_scaling(mm))?;
+    let mut notes = bodies::build_all(&mut build, &Matrix4::new_scaling(mm))?;
     if build.brep.faces.is_empty() {
         let curves = file.entities.iter().filter(|e| matches!(e.kind, 100..=112 | 126) && !e.subordinate).count();
         return Err(Error::io(

@@ -7,7 +7,7 @@
 
 use super::run::{self, Run};
 use super::search::{self, FoundAxis};
-use super::{no_blade, words};
+use super::{named, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::Mesh;
@@ -19,8 +19,6 @@ use crate::read::model::faces::Stacking;
 const APART_DEG: f64 = 35.0;
 /// An axis far from the one found is told where it scores less than this share of it.
 const FAR_LESS: f64 = 0.5;
-/// A face with less of an outline than this share is not named in advice.
-const SHARE_NAMED: f64 = 0.01;
 
 /// The run along the axis that was given.
 pub struct Given {
@@ -82,7 +80,7 @@ fn against(mesh: &Mesh, run: &Run, found: &FoundAxis, faces: Option<&[bool]>) ->
 
 /// No sections along the axis that was given.
 fn nothing_along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>, found: Option<FoundAxis>) -> Error {
-    if let Some(e) = faces.and_then(|f| beside_named(mesh, &[*direction], f)) {
+    if let Some(e) = faces.and_then(|f| named::beside_named(mesh, &[*direction], f)) {
         return e;
     }
     let e = Error::io(
@@ -96,46 +94,4 @@ fn nothing_along(mesh: &Mesh, direction: &Vector, faces: Option<&[bool]>, found:
         Some(f) => e.advise(format!("without --axis {} is found: leave --axis out", words(&f.run.direction))),
         None => e.advise("close the part, or export it again"),
     }
-}
-
-/// No sections at all: the faces that were named are the cause where some section meets them.
-pub(super) fn nothing(mesh: &Mesh, directions: &[Vector], faces: Option<&[bool]>) -> Error {
-    faces.and_then(|f| beside_named(mesh, directions, f)).unwrap_or_else(no_blade)
-}
-
-/// Why no airfoil lies on the faces that were named: the direction whose sections run on them for
-/// longest, and what else these run on. `None` where a part has one face only, so that naming
-/// others is no help.
-fn beside_named(mesh: &Mesh, directions: &[Vector], faces: &[bool]) -> Option<Error> {
-    let numbers = |of: &mut dyn Iterator<Item = usize>| of.map(|k| (k + 1).to_string()).collect::<Vec<_>>();
-    let named = numbers(&mut (0..faces.len()).filter(|k| faces[*k]));
-    let what = format!("face{} {}", if named.len() == 1 { "" } else { "s" }, named.join(", "));
-    let on = |lengths: &[f64]| lengths.iter().zip(faces).filter(|(_, named)| **named).map(|(l, _)| l).sum::<f64>();
-    let all = directions.iter().map(|d| run::on_faces(mesh, d, faces)).max_by(|a, b| on(a).total_cmp(&on(b)))?;
-    let total: f64 = all.iter().sum();
-    if !(total > 0.0) {
-        let message =
-            format!("no airfoil was found on {what}: no section across the blade axis that is closed meets them");
-        return Some(
-            Error::io(Stage::Model, message).advise("name the airfoil's faces, by number as inspect prints them"),
-        );
-    }
-    let mut others: Vec<usize> =
-        (0..all.len()).filter(|k| !faces.get(*k).is_some_and(|n| *n) && all[*k] > SHARE_NAMED * total).collect();
-    others.sort_by(|a, b| all[*b].total_cmp(&all[*a]));
-    let rest: Vec<String> = others.iter().map(|k| format!("{} ({:.0} %)", k + 1, 100.0 * all[*k] / total)).collect();
-    let mut wanted: Vec<usize> = others.iter().copied().chain((0..faces.len()).filter(|k| faces[*k])).collect();
-    wanted.sort_unstable();
-    let message = format!(
-        "no airfoil was found on {what}: of sections that meet them {:.0} % of the outline lies there, {:.0} % are asked; the rest lies on \
-         face{} {}",
-        100.0 * on(&all) / total,
-        100.0 * run::ON_FACES,
-        if rest.len() == 1 { "" } else { "s" },
-        if rest.is_empty() { "too small to be named".into() } else { rest.join(", ") }
-    );
-    Some(Error::io(Stage::Model, message).advise(format!(
-        "name all faces of the airfoil's outline, as in --faces airfoil={}",
-        numbers(&mut wanted.into_iter()).join(",")
-    )))
 }

@@ -17,7 +17,7 @@ use nalgebra::Matrix3;
 
 use super::caps::{self, AirfoilEnds, FlatPatch};
 use super::run::{self, Run};
-use super::{DOUBTFUL, given, rotor, words};
+use super::{DOUBTFUL, named, rotor, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::{Mesh, edge_uses};
@@ -80,7 +80,7 @@ pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<FoundAxis> {
     let patches = caps::patches(mesh, &sides);
     let along = |d: &Vector| run_along(mesh, d, faces, &patches);
     let mut runs = tried(mesh, &patches, along);
-    let top = best(&runs).map(|top| drawn(&runs, top)).ok_or_else(|| given::nothing(mesh, &candidates(mesh), faces))?;
+    let top = best(&runs).map(|top| drawn(&runs, top)).ok_or_else(|| named::nothing(mesh, &candidates(mesh), faces))?;
     let (mut chosen, mut why) = datum(&mut runs, top, &patches, along);
     let radius = rotor::radius(mesh);
     let along_radius = radius.and_then(|k| coordinate(&runs, k));
@@ -137,7 +137,7 @@ pub fn stacked(mesh: &Mesh, stacking: &Stacking, faces: Option<&[bool]>) -> Resu
         }
     }
     if run.links.is_empty() {
-        return Err(given::nothing(mesh, &[direction], faces));
+        return Err(named::nothing(mesh, &[direction], faces));
     }
     let lean_deg = stacking.line.angle(&stacking.normal).to_degrees();
     let growth = stacking.growth;

@@ -28,7 +28,6 @@ mod tests;
 use std::path::Path;
 
 use super::faces::FaceModel;
-use super::format::without_mark;
 use super::units::{self, UnitSource};
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
@@ -131,7 +130,8 @@ fn short(path: &Path) -> String {
 
 /// The text of a file without a byte-order mark.
 fn text_of(path: &Path, limit: u64) -> std::io::Result<String> {
-    Ok(String::from_utf8_lossy(without_mark(&files::read(path, limit)?)).into_owned())
+    let text = String::from_utf8_lossy(&files::read(path, limit)?).into_owned();
+    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
 /// Name and text of a data file.

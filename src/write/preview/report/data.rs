@@ -5,17 +5,13 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use super::pack::Pack;
+use super::pack::{DIGITS, Pack, TIME};
 use super::{ReportInput, scallop, scene};
 use crate::artifact::{AxisMotion, AxisRows, Plan, Section};
 use crate::machine::{Axis, Machine};
 use crate::write::draw::colour;
 use crate::write::preview::values;
 
-/// Digits after the point of lengths (mm) and angles (degrees) in lists.
-pub(super) const DIGITS: i32 = 3;
-/// The same of times (s).
-pub(super) const TIME: i32 = 4;
 /// Points of all S–θ curves together, about.
 const CURVE_POINTS: usize = 24_000;
 /// Points of all axis curves together, about.

@@ -147,7 +147,7 @@ pub fn page(input: &ReportInput, payload: &Payload) -> Result<String> {
 
 /// The script, with the licences of what it was built from at its head.
 const VIEWER: &str = include_str!("../../../../viewer/dist/viewer.js");
-/// uPlot's style.
+/// The style of charts, and the colours of all pages.
 const PLOT_STYLE: &str = include_str!("../../../../viewer/dist/viewer.css");
 
 /// A number of one of the run's files as it is shown, with the place that it came from.

@@ -20,13 +20,17 @@ use std::io::Write;
 
 use crate::error::{Error, Result, Stage};
 
+/// Digits after the point of lengths (mm) and angles (degrees) in lists.
+pub(super) const DIGITS: i32 = 3;
+/// The same of times (s).
+pub(super) const TIME: i32 = 4;
 /// The greatest number of steps: a script's numbers are whole up to 2⁵³, and so is twice what a
 /// number of this size may lie off a parabola through others.
 const MOST_STEPS: f64 = (1u64 << 48) as f64;
 /// Steps that the greatest number of a list [`Pack::scaled`] has at least.
 const SCALED_STEPS: f64 = 4_000.0;
-/// Digits after the point that a list may have: −`DIGITS` to `DIGITS`.
-const DIGITS: i32 = 30;
+/// Digits after the point that a list may have: −`MOST_DIGITS` to `MOST_DIGITS`.
+const MOST_DIGITS: i32 = 30;
 
 /// A block being filled.
 #[derive(Default)]
@@ -39,7 +43,7 @@ impl Pack {
     /// Adds a list with `digits` after the point; in the page's JSON it is its number in the block.
     /// Missing values, and those of more than 2⁴⁸ steps, are not a number.
     pub(super) fn list(&mut self, digits: i32, values: impl IntoIterator<Item = f64>) -> Value {
-        let digits = digits.clamp(-DIGITS, DIGITS);
+        let digits = digits.clamp(-MOST_DIGITS, MOST_DIGITS);
         let scale = 10f64.powi(digits);
         let steps: Vec<Option<i64>> = values
             .into_iter()

@@ -11,8 +11,7 @@ use std::hash::Hash;
 
 use serde_json::{Value, json};
 
-use super::data::TIME;
-use super::pack::Pack;
+use super::pack::{Pack, TIME};
 use crate::artifact::Program;
 use crate::error::{Error, Result, Stage};
 

@@ -2,8 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::data::DIGITS;
-use super::pack::Pack;
+use super::pack::{DIGITS, Pack};
 use super::{ReportInput, figure, number};
 use crate::artifact::report::{LimitSource, Place};
 use crate::write::draw::histogram;

@@ -4,8 +4,7 @@
 use serde_json::{Value, json};
 
 use super::ReportInput;
-use super::data::{DIGITS, TIME};
-use super::pack::{self, Pack};
+use super::pack::{self, DIGITS, Pack, TIME};
 use crate::error::Result;
 use crate::write::preview::gltf::{GltfOptions, Scene, gltf};
 use crate::write::preview::values;
