@@ -8,7 +8,7 @@ use crate::artifact::report::Check;
 use crate::artifact::{PairedRows, Stand};
 use crate::error::Result;
 use crate::plan::Setup;
-use crate::plan::pinch::{Pinch, PinchProgrammed};
+use crate::plan::pinch::{Pinch, PinchPosted, PinchProgrammed};
 use crate::verify::PinchFigures;
 use crate::write::draw::{HeldAngles, held_svg};
 use crate::write::preview::{self, PinchKey, PinchScene};
@@ -58,16 +58,29 @@ pub struct PinchSummary {
     pub program: Option<ProgramSummary>,
 }
 
-/// The program of two tools in figures.
+/// The programs of two tools in figures.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct ProgramSummary {
     /// Time that both tools cut, s.
     pub cutting_s: f64,
     /// Time that each tool would take for its side alone, s.
     pub alone_s: [f64; 2],
-    /// Lines of the program.
+    /// The checks of the motion.
+    pub checks: Vec<Check>,
+    /// The programs.
+    pub programs: Vec<PostedSummary>,
+}
+
+/// The program for a control in figures.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct PostedSummary {
+    /// The control, or the post file.
+    pub control: String,
+    /// Its files: two for two channels.
+    pub files: Vec<String>,
+    /// Lines of all files.
     pub lines: usize,
-    /// The checks of motion and program.
+    /// What reading them back found.
     pub checks: Vec<Check>,
 }
 
@@ -97,9 +110,18 @@ pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed
         program: programmed.map(|p| ProgramSummary {
             cutting_s: p.motion.cutting_s,
             alone_s: p.motion.alone_s,
-            lines: p.text.lines().count(),
             checks: p.checks.clone(),
+            programs: p.programs.iter().map(posted).collect(),
         }),
+    }
+}
+
+fn posted(p: &PinchPosted) -> PostedSummary {
+    PostedSummary {
+        control: p.control.clone(),
+        files: p.files.iter().map(|f| f.name.clone()).collect(),
+        lines: p.files.iter().map(|f| f.text.lines().count()).sum(),
+        checks: p.checks.clone(),
     }
 }
 
