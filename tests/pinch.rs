@@ -517,6 +517,107 @@ fn tools_stay_apart_however_far_one_lags() {
 }
 
 #[test]
+fn the_second_tool_has_a_ball_of_its_own() {
+    let machine = format!("machine.file={TWO_HEADS:?}");
+    let keys = ["tool_2.radius_mm=3", "pinch.spindle_2_rpm=4500", "post.control=[\"siemens\"]"];
+    let (setup, pinch) = std::thread::scope(|s| {
+        let plan = || plan_for(&[&machine, keys[0], keys[1], keys[2]]);
+        s.spawn(plan).join().expect("planned")
+    });
+    let (tools, held) = (setup.pinch_tools(), pinch.stretches());
+    let radius_mm = tools.map(|t| t.radius_mm);
+    assert_eq!((radius_mm, pinch.rows.radius_mm), ([2.0, 3.0], [2.0, 3.0]));
+    let lengths_mm = tools.map(|t| t.length_mm());
+    assert!(lengths_mm[1] - lengths_mm[0] > 1.0, "{lengths_mm:?}");
+    for place in &pinch.rows.places {
+        for (c, radius_mm) in place.contacts.iter().zip(radius_mm) {
+            let near = setup.blade.part.closest(&c.centre, 10.0).expect("near the part");
+            assert!((near.distance_mm - radius_mm).abs() < 1e-5 && (near.point - c.contact).norm() < 1e-4);
+        }
+    }
+    let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
+    let failed: Vec<&Check> = pinch.checks.iter().chain(programmed.all_checks()).filter(|c| !c.passed).collect();
+    assert!(failed.is_empty(), "{failed:?}");
+    // The machine puts each ball in its place by the length of its own tool.
+    for s in &programmed.motion.stretches {
+        for (row, k) in s.motion.position.iter().zip(s.places.clone()) {
+            for j in 0..2 {
+                let pose = setup.machine.forward_of(j, row, lengths_mm[j]).expect("a head");
+                assert!((pose.centre - pinch.rows.places[k].contacts[j].centre).norm() < 1e-6);
+            }
+        }
+    }
+    let text = &programmed.programs[0].files[0].text;
+    for says in ["Tool 1 ball end, R 2.0000 mm", "Tool 2 ball end, R 3.0000 mm", "S1=6000 M1=3", "S2=4500 M2=3"] {
+        assert!(text.contains(says), "{says}");
+    }
+    for (length_mm, radius_mm) in lengths_mm.iter().zip(radius_mm) {
+        assert!(text.contains(&format!("stand out {:.4} mm", length_mm + radius_mm)));
+    }
+    let siemens = Dialect::built_in(Control::Siemens).expect("a dialect");
+    let files = setup.pinch_files(&siemens, &programmed.motion, 2).expect("programs");
+    assert!(files[0].text.contains("S6000 M3") && files[1].text.contains("S4500 M3"));
+    let found = setup.read_back_pinch(&siemens, &files, &pinch, &programmed.motion);
+    assert!(found.iter().all(|c| c.passed), "{found:?}");
+    // Tools in the wrong spindles: the larger ball gouges, and the smaller leaves ridges.
+    let wrong = PinchWork { tools: [tools[1], tools[0]], ..setup.pinch_work(&pinch, &held) };
+    let (checks, _) = verify::check_pinch(&wrong, &setup.verify_options());
+    let gouge = checks.iter().find(|c| c.id == CheckId::Gouge && !c.passed).expect("a gouge");
+    assert!(gouge.quantity.starts_with("tool 1") && gouge.worst > 0.9, "{gouge:?}");
+    // A second tool like the first: its ball is elsewhere by what the lengths differ.
+    let alike = PinchWork { tools: [tools[0]; 2], ..setup.pinch_work(&pinch, &held) };
+    let cutting_s = programmed.motion.cutting_s;
+    let asked = PinchAsked { cutting_s, spindle_rpm: [6000.0, 4500.0], tolerance_mm: 0.001 };
+    let checks = verify::check_pinch_program(&[text.as_str()], &alike, &setup.machine, &asked, &setup.verify_options());
+    assert!(checks.iter().any(|c| c.id == CheckId::ProgramMissing && !c.passed), "{checks:?}");
+    let same = PinchAsked { spindle_rpm: [6000.0; 2], ..asked };
+    let work = setup.pinch_work(&pinch, &held);
+    let checks = verify::check_pinch_program(&[text.as_str()], &work, &setup.machine, &same, &setup.verify_options());
+    let failed: Vec<&CheckId> = checks.iter().filter(|c| !c.passed).map(|c| &c.id).collect();
+    assert_eq!(failed, [&CheckId::ProgramSpindle]);
+}
+
+#[test]
+fn the_second_tool_takes_angles_by_its_own_shape() {
+    let (_, usual) = planned();
+    let (_, pinch) = std::thread::scope(|s| {
+        s.spawn(|| plan_for(&["tool_2.stickout_mm=25", "tool_2.shank_radius_mm=3"])).join().expect("planned")
+    });
+    assert_eq!(pinch.rows, usual.rows);
+    assert_eq!(pinch.own[0], usual.own[0]);
+    let widths = pinch.own[1].iter().zip(&usual.own[1]).map(|(a, b)| (a.widest(), b.widest()));
+    let lost: Vec<f64> = widths.map(|(a, b)| (b - a).to_degrees()).collect();
+    let [least, most] = [f64::min, f64::max].map(|of| lost.iter().copied().reduce(of).expect("places"));
+    assert!(least > -0.05 && most > 5.0, "its holder is nearer, and nothing else: {least} to {most}");
+    assert!(pinch.checks.iter().all(|c| c.passed), "{:?}", pinch.checks);
+}
+
+/// The job that a run leaves has both tools complete, and is the same run again.
+#[test]
+fn a_job_of_two_tools_runs_again_as_it_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (first, again) = (folder.path().join("first"), folder.path().join("again"));
+    let library = format!("tool_2.library={:?}", concat!(env!("CARGO_MANIFEST_DIR"), "/models/tools/library.json"));
+    let mut arguments = vec![MODEL, "--set", &library, "--set", "tool_2.entry=12", "--set", "tool.stickout_mm=40"];
+    let machine = format!("machine.file={TWO_HEADS:?}");
+    arguments.extend(["--set", &machine, "--set", "path.scallop_mm=0.3", "--set", "tool.radius_mm=2.5"]);
+    let ran = command(&arguments, &first);
+    assert!(ran.status.success(), "{ran:?}");
+    let job = first.join("job.resolved.toml");
+    let text = std::fs::read_to_string(&job).expect("the job");
+    let job_of = |text: &str| -> toml::Table { toml::from_str(text).expect("TOML") };
+    let second = job_of(&text)["tool_2"].as_table().expect("tool 2").clone();
+    assert!(!second.contains_key("library") && second["radius_mm"].as_float().is_some_and(|r| r != 2.5), "{second:?}");
+    assert!(second["holder"].as_array().is_some_and(|h| !h.is_empty()) && second.contains_key("stickout_mm"));
+    let ran = command(&[job.to_str().expect("a path")], &again);
+    assert!(ran.status.success(), "{ran:?}");
+    for name in ["job.resolved.toml", "pairs.csv", "pinch.mpf", "pinch.ngc", "pinch_axes.csv"] {
+        let [a, b] = [&first, &again].map(|folder| std::fs::read(folder.join(name)).expect(name));
+        assert!(a == b, "{name}");
+    }
+}
+
+#[test]
 fn post_files_say_what_is_wrong_with_their_lines_for_two_tools() {
     let machine = &programmed().0.machine;
     let siemens = Control::Siemens.post_file();
@@ -606,6 +707,12 @@ fn what_cannot_be_held_leaves_nothing_behind() {
         (with(&["post.control=[\"heidenhain\"]"]), 2, "Heidenhain TNC has no programs of two tools"),
         (with(&["pinch.channels=2"]), 2, "LinuxCNC has programs of two tools in one channel only"),
         (with(&["pinch.channels=3"]), 2, "pinch.channels is 3"),
+        (with(&["tool_2.radius_mm=0"]), 2, "tool_2.radius_mm is 0"),
+        (with(&["tool_2.radius_mm=3", "tool_2.shank_radius_mm=1"]), 2, "tool_2.shank_radius_mm is 1"),
+        (with(&["tool_2.radius_mm=3", "tool_2.corner_radius_mm=1"]), 2, "tool_2.corner_radius_mm"),
+        (with(&["tool_2.radius_mm=0.005"]), 2, "tool_2.radius_mm is 0.005, it must be at least"),
+        (with(&["tool_2.entry=3"]), 2, "tool_2.entry is given, but no library"),
+        (with(&["pinch.spindle_2_rpm=0"]), 2, "pinch.spindle_2_rpm is 0"),
     ] {
         let out = folder.path().join("out");
         let ran = command(&arguments, &out);

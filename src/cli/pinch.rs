@@ -77,6 +77,8 @@ fn passed_before(pinch: &Pinch, programmed: &PinchProgrammed) -> bool {
 
 fn print(pinch: &Pinch, f: &files::PinchSummary) {
     let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
+    let [one, two] = f.radius_mm;
+    row("balls", format!("R {one} mm for tool 1, R {two} mm for tool 2"));
     row("rows", format!("{}, {} of them with the table still", f.rows, f.still_rows));
     row("places of both tools", f.places.to_string());
     if f.cut_off > 0 {

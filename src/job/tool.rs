@@ -113,6 +113,34 @@ pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, en
     Ok(Chosen { tool, why, warnings })
 }
 
+/// The second of two tools: keys that are left out are those of the first, and its ball is as
+/// large.
+///
+/// # Errors
+/// As [`complete`], naming keys of `tool_2`.
+pub(super) fn second(
+    keys: &ToolKeys,
+    (first, of_first): (&Tool, &ToolKeys),
+    blade: &Blade,
+    [start_mm, end_mm]: [Option<f64>; 2],
+) -> Result<Chosen> {
+    let keys = ToolKeys {
+        radius_mm: keys.radius_mm.or(Some(first.radius_mm)),
+        taper_deg: keys.taper_deg.or(of_first.taper_deg),
+        shank_radius_mm: keys.shank_radius_mm.or(of_first.shank_radius_mm),
+        stickout_mm: keys.stickout_mm.or(of_first.stickout_mm),
+        holder: keys.holder.clone().or_else(|| of_first.holder.clone()),
+        ..ToolKeys::default()
+    };
+    complete(&keys, blade, start_mm, end_mm).map_err(of_second)
+}
+
+/// The same error with the keys of the second tool.
+pub(super) fn of_second(e: Error) -> Error {
+    let named = |text: String| text.replace("tool.", "tool_2.");
+    Error { message: named(e.message), advice: e.advice.map(named), ..e }
+}
+
 /// Refuses cutters with a corner, for which nothing is planned yet.
 ///
 /// # Errors

@@ -4,7 +4,7 @@ use crate::settings::{TINY, section};
 use crate::tool::CLEARANCE_MM;
 
 section! {
-    /// `[pinch]`: two tools alike that hold the blade between them, on both sides at the same time.
+    /// `[pinch]`: two tools that hold the blade between them, on both sides at the same time.
     "pinch" PinchSettings, PinchKeys, s {
         /// Heights of the first tool's ball centre between which rows run, mm along the blade axis; default: all of the airfoil.
         #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,10 +1,11 @@
 //! Two tools on one blade: rows of opposite places, the table's angles that are free for both, and
 //! one at which it stands still for each row.
 //!
-//! **In** a [`Setup`]; both tools are its tool. **Out** [`Pinch`], judged. **Method** Rows
-//! ([`pairs`]); the free angles of each tool at all their places ([`channel::intervals`]),
-//! tool 2's turned back by the angle between the heads, and what both have; an angle for each row
-//! ([`pair::hold`]); checks that use none of these ([`verify::check_pinch`]).
+//! **In** a [`Setup`]: its tool, and its second where the job has one. **Out** [`Pinch`], judged.
+//! **Method** Rows ([`pairs`]); the free angles of each tool at all their places
+//! ([`channel::intervals`]), tool 2's turned back by the angle between the heads, and what both
+//! have; an angle for each row ([`pair::hold`]); checks that use none of these
+//! ([`verify::check_pinch`]).
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
@@ -124,12 +125,12 @@ impl Setup {
     /// angle of the table is free for both tools.
     pub fn pinch(&self, observer: &dyn Observer) -> Result<Pinch> {
         let (job, asked) = (&self.job, self.pinch_settings());
-        job.tool.ball_only("rows for two tools are planned")?;
+        let tools = self.pinch_tools();
+        tools.into_iter().try_for_each(|t| t.ball_only("rows for two tools are planned"))?;
         if !job.orientation.kind.goes_round() {
             return Err(Error::usage(Stage::Job, "two tools share the turning of the blade: each keeps one lean")
                 .advise("leave out orientation.kind"));
         }
-        let tools = [&job.tool; 2];
         let options = PairOptions {
             settings: job.path.clone(),
             radius_mm: tools.map(|t| t.radius_mm),
@@ -141,9 +142,12 @@ impl Setup {
         let cones = self.pinch_cones();
         let between_rad = self.between_heads(&asked)?;
         let own = timed(observer, Stage::Channel, || {
-            // Both are of one radius: one index serves them.
+            // One index serves balls of one radius.
             let around = self.surroundings()?;
-            let free = |tool: usize| self.free_angles(&around, &rows, (tool, cones[tool]), observer);
+            let is_same = tools[0].radius_mm == tools[1].radius_mm;
+            let other = if is_same { None } else { Some(self.surroundings_of(tools[1].radius_mm)?) };
+            let around = [&around, other.as_ref().unwrap_or(&around)];
+            let free = |tool: usize| self.free_angles(around[tool], &rows, (tool, cones[tool]), observer);
             let second = free(1)?.into_iter().map(|f| f.turned(-between_rad)).collect();
             Ok([free(0)?, second])
         })?;
@@ -185,7 +189,7 @@ impl Setup {
 
     /// Both tools.
     pub fn pinch_tools(&self) -> [&Tool; 2] {
-        [&self.job.tool; 2]
+        [&self.job.tool, self.job.tool_2.as_ref().unwrap_or(&self.job.tool)]
     }
 
     /// Speeds of both spindles, 1/min.
@@ -321,7 +325,7 @@ impl Setup {
         // The second head's angle is not the table's.
         let theta_limits_rad = usual.theta_limits_rad.filter(|_| side == 0);
         let options = ChannelOptions { sweep: Sweep::Swing, travel: Vec::new(), theta_limits_rad, ..usual };
-        let found = channel::intervals(around, &self.job.tool, &path, &options, observer)?;
+        let found = channel::intervals(around, self.pinch_tools()[side], &path, &options, observer)?;
         Ok(found.iter().map(|free| FreeAngles::of(free.iter().map(|f| [f.theta_min, f.theta_max]))).collect())
     }
 }
