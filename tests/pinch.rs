@@ -360,7 +360,7 @@ fn faults_in_a_program_of(control: &str) {
     let is_rapid = |l: &str| l.split(' ').any(|w| w == "G0") && token(l, "X").is_some();
     let low = faults(&|t| with_line(t, 4, is_rapid, |l| moved(l, "W", 60.0)));
     assert!(low.contains(&CheckId::ProgramRapids), "{control}: {low:?}");
-    for stray in ["G41 D1", "G43.4 H1", "TRAORI", "G91", "G20", "X1.2.3", "(open", "G2 X1"] {
+    for stray in ["G41 D1", "G43.4 H1", "TRAORI", "G91", "G20", "X1.2.3", "(open", "G2 X1", "G4 X1", "G4"] {
         let found = third(&|l| format!("{stray}\n{l}"));
         assert_eq!(found, [CheckId::ProgramReadable], "{control}: {stray}");
     }
@@ -427,6 +427,23 @@ fn two_channels_meet_at_the_same_marks() {
     assert!(refused.message.contains("A moves by 0.1146 deg in row 4 while both tools cut"), "{}", refused.message);
     assert_eq!(refused.kind.exit_code(), 3);
     assert!(setup.pinch_files(&siemens, &motion, 1).is_ok());
+    // Where one tool stands its channel waits: a line that goes nowhere would be passed at once.
+    let mut motion = programmed.motion.clone();
+    let columns = setup.machine.heads()[1].linear();
+    let row = &mut motion.stretches[3].motion.position;
+    columns.into_iter().for_each(|k| row[6][k] = row[5][k]);
+    let files = setup.pinch_files(&siemens, &motion, 2).expect("programs");
+    let waits = |text: &str| text.lines().filter(|l| l.contains("G4 F0.0")).count();
+    assert_eq!([waits(&files[0].text), waits(&files[1].text)], [0, 1]);
+    let found = judged("siemens", &[files[0].text.clone(), files[1].text.clone()]);
+    let ids: Vec<&CheckId> = found.iter().map(|c| &c.id).collect();
+    assert!(!ids.contains(&&CheckId::ProgramChannels) && ids.contains(&&CheckId::ProgramMissing), "{found:?}");
+    let gone = files[1].text.lines().filter(|l| !l.contains("G4 F0.0")).collect::<Vec<_>>().join("\n");
+    let passed = files[1].text.replace("G4 F0.0", "G1 V=0 F9 ; ");
+    for other in [gone, passed] {
+        let found = judged("siemens", &[files[0].text.clone(), other]);
+        assert!(found.iter().any(|c| c.id == CheckId::ProgramChannels), "{found:?}");
+    }
 }
 
 /// What is said of both channels after a change of their programs.
@@ -635,6 +652,11 @@ fn post_files_say_what_is_wrong_with_their_lines_for_two_tools() {
         let refused = Dialect::from_toml(&siemens.replacen(from, to, 1), "own.toml").expect_err(from);
         assert!(refused.message.contains(says) && refused.message.starts_with("own.toml"), "{}", refused.message);
     }
+    let section = siemens.split_once("[pinch]").expect("the section").1;
+    let section = section.split_once("[pinch_channels]").expect("the section behind it").0;
+    let klartext = format!("{}\n[pinch]{section}", Control::Heidenhain.post_file());
+    let refused = Dialect::from_toml(&klartext, "own.toml").expect_err("Klartext");
+    assert!(refused.message.contains("need grammar = \"gcode\""), "{}", refused.message);
     let few = Control::Iso.post_file().replace("[pinch]\n", "[pinch]\nletters = \"XYZABUVW\"\n");
     let few = Dialect::from_toml(&few, "own.toml").expect("a post file");
     let refused = post::pinch::pinch_text(&few, machine, 1).expect_err("eight letters");

@@ -163,6 +163,7 @@ impl CheckId {
                 | Id::ProgramSmoothing
                 | Id::ProgramFrame
                 | Id::ProgramWords
+                | Id::ProgramChannels
                 | Id::ProgramReadable
                 | Id::ProgramAbsent
         )

@@ -130,6 +130,8 @@ struct Reader<'a> {
 /// What the words of a block say together.
 #[derive(Default)]
 struct Block {
+    /// It waits: G4, F says for how many seconds.
+    waits: bool,
     /// Columns of the axes that it names.
     moves: Vec<usize>,
     feed: Option<f64>,
@@ -161,7 +163,11 @@ impl Reader<'_> {
             spindle.rpm = block.speed.unwrap_or(spindle.rpm);
             spindle.turns = block.turns.unwrap_or(spindle.turns);
         }
-        if block.moves.is_empty() { Ok(()) } else { self.moved(number, &block, &before) }
+        match (block.waits, block.moves.is_empty()) {
+            (true, _) => self.waited(number, &block),
+            (false, true) => Ok(()),
+            (false, false) => self.moved(number, &block, &before),
+        }
     }
 
     fn spindle(&mut self, block: &Block) -> Option<&mut Spindle> {
@@ -180,6 +186,19 @@ impl Reader<'_> {
             self.out.unset = self.unset();
         }
         let line = Line { numbers: [number, 0], is_rapid: self.rapid, seconds, at: self.at };
+        if let Some(part) = self.out.parts.last_mut() {
+            part.push(line);
+        }
+        Ok(())
+    }
+
+    /// The axes stand for a time.
+    fn waited(&mut self, number: usize, block: &Block) -> Result<(), String> {
+        let seconds = block.feed.filter(|s| *s > 0.0 && s.is_finite() && block.moves.is_empty());
+        if seconds.is_none() {
+            return Err("G4 with F over 0 and nothing else waits".into());
+        }
+        let line = Line { numbers: [number, 0], is_rapid: false, seconds, at: self.at };
         if let Some(part) = self.out.parts.last_mut() {
             part.push(line);
         }
@@ -243,6 +262,7 @@ impl Reader<'_> {
                 self.inverse = if value == 93.0 || value == 94.0 { value == 93.0 } else { self.inverse };
                 self.seen.push(format!("G{value}"));
             }
+            "G" if value == 4.0 => block.waits = true,
             "D" if value == 0.0 => self.seen.push("D0".into()),
             "M" | "M1" | "M2" if [3.0, 4.0, 5.0].contains(&value) => {
                 block.turns = Some(value != 5.0);

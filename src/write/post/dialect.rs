@@ -501,6 +501,9 @@ impl PostFile {
         if let Some(what) = two.into_iter().find_map(|(name, text)| text.as_ref()?.wrong(name)) {
             return no(&what);
         }
+        if self.grammar != Grammar::Gcode && two.iter().any(|(_, text)| text.is_some()) {
+            return no("pinch and pinch_channels need grammar = \"gcode\"");
+        }
         let cut = self.text.cut.concat();
         let polynomial = ["{px}", "{py}", "{pz}"].map(|key| cut.contains(key));
         let spline = ["{kx}", "{ky}", "{kz}", "{ka}"].map(|key| cut.contains(key));

@@ -226,10 +226,22 @@ impl<'a> Writer<'a> {
         self.put(&text.down)?;
         for k in 1..=last {
             (self.at, self.takes_s) = (Axes::from(&motion.position[k]), motion.t_s[k] - motion.t_s[k - 1]);
-            self.put(&text.cut)?;
+            let lines = if self.channel.is_some() && self.is_still()? { &text.stand } else { &text.cut };
+            self.put(lines)?;
         }
         (self.at, self.takes_s) = (stretch.over[1], lift_s(1, p.settings.approach_feed_mm_min));
         self.put(&text.up)
+    }
+
+    /// No axis of the channel moves in the next line, as it is rounded: a control would pass that
+    /// line at once.
+    fn is_still(&self) -> Result<bool> {
+        for k in &self.own {
+            if Some(self.rounded(*k, self.at[*k])?) != self.stands[*k] {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// What the program is, at its head.
@@ -356,6 +368,7 @@ impl<'a> Writer<'a> {
             "linear_names" => names(",", &linear),
             "names" => names(" ", &|_| true),
             "f" => self.feed()?,
+            "seconds" => format!("{:.6}", self.takes_s),
             "row" => (self.place[0] + 1).to_string(),
             "stretch" => (self.place[1] + 1).to_string(),
             "channel" => (channel + 1).to_string(),

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Values that lines of these sections may use, and what they are.
-pub const PINCH_KEYS: [(&str, &str); 22] = [
+pub const PINCH_KEYS: [(&str, &str); 23] = [
     ("axes", "words of all axes of the channel"),
     (
         "moving",
@@ -16,6 +16,7 @@ pub const PINCH_KEYS: [(&str, &str); 22] = [
     ("linear_names", "letters of its linear axes, with commas between them"),
     ("names", "letters of all its axes, with spaces between them"),
     ("f", "feed of a line, as `feed` says; per minute: over the way of all linear axes of the channel together"),
+    ("seconds", "time of a line, s"),
     ("row", "number of the row, from 1"),
     ("stretch", "number of the stretch, from 1"),
     ("channel", "number of the channel: 1 or 2; its tool has the same"),
@@ -74,6 +75,9 @@ pub struct PinchText {
     pub down: Vec<String>,
     /// Each place after it.
     pub cut: Vec<String>,
+    /// In two channels instead of `cut` where no axis of the channel moves: the channel waits as long.
+    #[serde(default)]
+    pub stand: Vec<String>,
     /// Up from the last place; in two channels a wait mark.
     pub up: Vec<String>,
     /// What switches high-speed cutting off.
@@ -117,6 +121,9 @@ impl PinchText {
         if in_channels != self.last_mark.is_some_and(|m| (2..=9999).contains(&m)) {
             return of("last_mark must be 2 to 9999 for two channels, and be left out for one");
         }
+        if in_channels == self.stand.is_empty() {
+            return of("stand must have a line for two channels, and be left out for one");
+        }
         for (name, lines) in self.sections() {
             for line in lines {
                 if !line.chars().all(|c| c.is_ascii_graphic() || c == ' ') {
@@ -137,7 +144,7 @@ impl PinchText {
         None
     }
 
-    fn sections(&self) -> [(&'static str, &[String]); 10] {
+    fn sections(&self) -> [(&'static str, &[String]); 11] {
         [
             ("notes", &self.notes),
             ("start", &self.start),
@@ -146,6 +153,7 @@ impl PinchText {
             ("row", &self.row),
             ("down", &self.down),
             ("cut", &self.cut),
+            ("stand", &self.stand),
             ("up", &self.up),
             ("look_ahead_end", &self.look_ahead_end),
             ("end", &self.end),
