@@ -91,12 +91,8 @@ pub fn pinch_text<'a>(dialect: &'a Dialect, machine: &Machine, channels: u32) ->
         None => Ok(text),
         Some(axis) => {
             let message = format!(
-                "{} has no letter for axis {} of the machine {}: it has {} and {} axes have to move in one program",
-                file.name,
-                axis.name,
-                machine.name,
-                text.letters,
-                machine.axes().len()
+                "{} has no letter for axis {} of the machine {}: its letters are {}",
+                file.name, axis.name, machine.name, text.letters
             );
             Err(Error::usage(Stage::Post, message).advise(advise))
         }
