@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 use std::sync::OnceLock;
 
 use bladewright::artifact::check_id::CheckId;
+use bladewright::artifact::program::Control;
 use bladewright::artifact::report::Check;
 use bladewright::artifact::{PairedRows, Stand};
 use bladewright::job::JobFile;
@@ -14,7 +15,9 @@ use bladewright::plan::Setup;
 use bladewright::plan::pinch::{Pinch, PinchProgrammed};
 use bladewright::run::Loaded;
 use bladewright::run::inputs;
-use bladewright::verify::{self, PinchWork};
+use bladewright::verify::{self, PinchAsked, PinchWork};
+use bladewright::write::post::pinch::PinchFile;
+use bladewright::write::post::{self, Dialect};
 
 const MODEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step");
 const TWO_HEADS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/models/machines/pinch_9x.toml");
@@ -159,12 +162,16 @@ fn planted_faults_are_found_and_nothing_else_is() {
     assert!(same_side.contains(&CheckId::ToolsApart) && same_side.contains(&CheckId::Clearance), "{same_side:?}");
 }
 
+/// The controls that have programs of two tools.
+const CONTROLS: [&str; 4] = ["linuxcnc", "siemens", "iso", "fanuc"];
+
 /// The same rows on a machine with two heads.
 fn programmed() -> &'static (Setup, Pinch, PinchProgrammed) {
     static PROGRAMMED: OnceLock<(Setup, Pinch, PinchProgrammed)> = OnceLock::new();
     PROGRAMMED.get_or_init(|| {
         let plan = || {
-            let (setup, pinch) = plan_for(&[&format!("machine.file={:?}", TWO_HEADS)]);
+            let machine = format!("machine.file={TWO_HEADS:?}");
+            let (setup, pinch) = plan_for(&[&machine, &format!("post.control={CONTROLS:?}")]);
             let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
             (setup, pinch, programmed)
         };
@@ -172,47 +179,85 @@ fn programmed() -> &'static (Setup, Pinch, PinchProgrammed) {
     })
 }
 
-/// What is found wrong with the program after a change of its text.
-fn program_faults(change: impl FnOnce(&str) -> String) -> Vec<CheckId> {
-    let (setup, pinch, programmed) = programmed();
-    let held = pinch.stretches();
-    let work = setup.pinch_work(pinch, &held);
-    let text = change(&programmed.text);
-    let checks =
-        verify::check_pinch_program(&text, &work, &setup.machine, programmed.motion.cutting_s, &setup.verify_options());
-    checks.into_iter().filter(|c| !c.passed).map(|c| c.id).collect()
+/// The program of a control.
+fn text_of(control: &str) -> &'static str {
+    let posted = programmed().2.programs.iter().find(|p| p.control == control).expect("a control");
+    assert_eq!(posted.files.len(), 1);
+    &posted.files[0].text
 }
 
-/// The number of a word of a line.
-fn word(line: &str, letter: char) -> f64 {
-    let word = line.split(' ').find(|w| w.starts_with(letter)).expect("the word");
-    word[1..].parse().expect("a number")
+/// What is wrong with programs: one, or those of two channels.
+fn judged(control: &str, texts: &[String]) -> Vec<Check> {
+    let (setup, pinch, programmed) = programmed();
+    let dialects = setup.pinch_dialects().expect("dialects");
+    let (_, dialect) = dialects.iter().find(|(name, _)| name == control).expect("a control");
+    let file = |text: &String| PinchFile { name: String::new(), text: text.clone() };
+    let files: Vec<PinchFile> = texts.iter().map(file).collect();
+    setup.read_back_pinch(dialect, &files, pinch, &programmed.motion).into_iter().filter(|c| !c.passed).collect()
+}
+
+/// What is found wrong with the program of a control after a change of its text.
+fn program_faults(control: &str, change: impl FnOnce(&str) -> String) -> Vec<CheckId> {
+    judged(control, &[change(text_of(control))]).into_iter().map(|c| c.id).collect()
+}
+
+/// The word of a letter in a line: `X1.5`, `X=1.5`, `A=DC(1.5)`.
+fn token<'a>(line: &'a str, letter: &str) -> Option<&'a str> {
+    let is_number = |rest: &str| rest.starts_with(['=', '-']) || rest.starts_with(|c: char| c.is_ascii_digit());
+    line.split(' ').find(|w| w.strip_prefix(letter).is_some_and(is_number))
+}
+
+/// The number of that word.
+fn word(line: &str, letter: &str) -> f64 {
+    let token = token(line, letter).unwrap_or_else(|| panic!("no {letter} in {line}"));
+    token[letter.len()..].trim_matches(|c: char| "=DC()".contains(c)).parse().expect("a number")
+}
+
+/// The line with another number in that word.
+fn moved(line: &str, letter: &str, by: f64) -> String {
+    let token = token(line, letter).unwrap_or_else(|| panic!("no {letter} in {line}"));
+    let at = token.find(|c: char| c == '-' || c.is_ascii_digit()).expect("a number");
+    let end = token.trim_end_matches(')').len();
+    let number = format!("{}{:.4}{}", &token[..at], word(line, letter) + by, &token[end..]);
+    line.replacen(token, &number, 1)
+}
+
+fn is_cut(line: &str) -> bool {
+    line.split(' ').any(|w| w == "G1")
+}
+
+/// The text with another line in place of the `n`th that is of a kind.
+fn with_line(text: &str, n: usize, of: impl Fn(&str) -> bool, change: impl FnOnce(&str) -> String) -> String {
+    let line = text.lines().enumerate().filter(|(_, l)| of(l)).nth(n).expect("a line").0;
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    lines[line] = change(&lines[line]);
+    lines.join("\n") + "\n"
 }
 
 #[test]
 fn a_program_has_nine_letters_and_one_clock() {
     let (setup, pinch, programmed) = programmed();
-    let failed: Vec<&Check> = pinch.checks.iter().chain(&programmed.checks).filter(|c| !c.passed).collect();
+    let failed: Vec<&Check> = pinch.checks.iter().chain(programmed.all_checks()).filter(|c| !c.passed).collect();
     assert!(failed.is_empty(), "{failed:?}");
     let (mut cuts, mut table, mut rows, mut seconds) = (0, None, 0, 0.0);
     let mut last: Option<&str> = None;
-    for line in programmed.text.lines() {
+    for line in text_of("linuxcnc").lines() {
         if line.starts_with("; Row") {
             (table, last, rows) = (None, None, rows + 1);
         }
-        if !line.starts_with("G1 ") {
+        if !is_cut(line) {
             continue;
         }
         for letter in "XYZABUVWCF".chars() {
-            word(line, letter);
+            word(line, &letter.to_string());
         }
         // The table and both leans stand still from the way down to the way up.
-        let still = [word(line, 'A'), word(line, 'B'), word(line, 'C')];
+        let still = [word(line, "A"), word(line, "B"), word(line, "C")];
         assert!(table.is_none_or(|t| t == still), "{line}");
         table = Some(still);
         if let Some(before) = last {
-            let dt = 60.0 / word(line, 'F');
-            for letter in "XYZUVW".chars() {
+            let dt = 60.0 / word(line, "F");
+            for letter in ["X", "Y", "Z", "U", "V", "W"] {
                 let speed = (word(line, letter) - word(before, letter)).abs() / dt;
                 assert!(speed < 500.1, "{letter} goes {speed} mm/s in {line}");
             }
@@ -237,55 +282,385 @@ fn a_program_has_nine_letters_and_one_clock() {
     }
 }
 
+/// The same places stand in the programs of all controls, each in its own words.
+#[test]
+fn all_controls_have_the_same_places() {
+    let cuts = |control: &str| -> Vec<&str> { text_of(control).lines().filter(|l| is_cut(l)).collect() };
+    let reference = cuts("linuxcnc");
+    for control in CONTROLS {
+        let own = cuts(control);
+        assert_eq!(own.len(), reference.len(), "{control}");
+        for (a, b) in own.iter().zip(&reference) {
+            for letter in ["X", "Y", "Z", "U", "V", "W"] {
+                assert!((word(a, letter) - word(b, letter)).abs() < 6e-5, "{control}: {a}, {b}");
+            }
+            // Inverse time is the same; per minute it is over the way of all linear axes.
+            assert!(control == "fanuc" || (word(a, "F") / word(b, "F") - 1.0).abs() < 1e-4, "{control}: {a}, {b}");
+        }
+    }
+    let siemens = text_of("siemens");
+    for word in ["TRAFOOF", "G500", "FGROUP(X,Y,Z,U,V,W)", "S1=6000 M1=3", "S2=6000 M2=3", " A=DC(", " D0", "G93"] {
+        assert!(siemens.contains(word), "{word}");
+    }
+    assert!(!siemens.contains("TRAORI") && text_of("iso").starts_with("%\nO0001\n"));
+    assert!(!text_of("fanuc").contains("G93") && !text_of("fanuc").contains("G43"), "no tool-centre-point control");
+}
+
 #[test]
 fn faults_planted_in_a_program_are_found() {
-    assert_eq!(program_faults(str::to_owned), []);
-    let exchanged = |text: &str, a: char, b: char| {
-        let word = |w: &str| match w.chars().next() {
-            Some(c) if c == a => w.replacen(a, &b.to_string(), 1),
-            Some(c) if c == b => w.replacen(b, &a.to_string(), 1),
-            _ => w.to_owned(),
+    for control in CONTROLS {
+        faults_in_a_program_of(control);
+    }
+}
+
+/// A cut amid a row, and a rapid from row to row.
+const CUT: usize = 40;
+
+fn faults_in_a_program_of(control: &str) {
+    let faults = |change: &dyn Fn(&str) -> String| program_faults(control, change);
+    let third = |change: &dyn Fn(&str) -> String| faults(&|t| with_line(t, CUT, is_cut, change));
+    assert_eq!(faults(&str::to_owned), [], "{control}");
+    let exchanged = |text: &str, a: &str, b: &str| {
+        let word = |w: &str| match [a, b].iter().position(|l| token(w, l).is_some()) {
+            Some(0) => w.replacen(a, b, 1),
+            Some(_) => w.replacen(b, a, 1),
+            None => w.to_owned(),
         };
-        let line = |l: &str| match l.starts_with(';') {
+        let line = |l: &str| match l.starts_with([';', '(']) {
             true => l.to_owned(),
             false => l.split(' ').map(word).collect::<Vec<_>>().join(" "),
         };
         text.lines().map(line).collect::<Vec<_>>().join("\n")
     };
-    assert!(program_faults(|t| exchanged(t, 'X', 'U')).contains(&CheckId::ProgramMissing));
-    assert!(program_faults(|t| exchanged(t, 'Y', 'V')).contains(&CheckId::ProgramMissing));
+    for (a, b) in [("X", "U"), ("Y", "V")] {
+        assert!(faults(&|t| exchanged(t, a, b)).contains(&CheckId::ProgramMissing), "{control} {a}");
+    }
     // The second head leans to the other side.
-    let other_lean = program_faults(|t| t.replace(" C5", " C-5"));
-    assert!(other_lean.contains(&CheckId::ProgramMissing), "{other_lean:?}");
-    // 0.01 mm off, and two thousandths of a degree.
-    let third = |t: &str, change: &dyn Fn(&str) -> String| {
-        let at = t.match_indices("\nG1 ").nth(40).expect("a line").0 + 1;
-        let end = at + t[at..].find('\n').expect("its end");
-        [&t[..at], &change(&t[at..end]), &t[end..]].concat()
-    };
-    let moved = |line: &str, letter: char, by: f64| {
-        let w = line.split(' ').find(|w| w.starts_with(letter)).expect("the word");
-        line.replacen(w, &format!("{letter}{:.5}", word(line, letter) + by), 1)
-    };
-    assert_eq!(program_faults(|t| third(t, &|l| moved(l, 'V', 0.01))), [CheckId::ProgramCentre]);
-    let turned = program_faults(|t| third(t, &|l| moved(l, 'B', 0.002)));
-    assert!(turned.contains(&CheckId::ProgramDirection), "{turned:?}");
-    // A line too few, one too many, one too slow.
-    assert!(program_faults(|t| third(t, &|_| String::new())).contains(&CheckId::ProgramMissing));
-    assert!(
-        program_faults(|t| third(t, &|l| format!("{l}\n{}", moved(l, 'X', 3.0)))).contains(&CheckId::ProgramMissing)
-    );
-    assert_eq!(program_faults(|t| third(t, &|l| moved(l, 'F', -0.9 * word(l, 'F')))), [CheckId::ProgramTime]);
-    // A rapid through the blade, a word that no such program has, travel.
-    let low = program_faults(|t| {
-        let at = t.match_indices("\nG0 X").nth(4).expect("a rapid").0 + 1;
-        let end = at + t[at..].find('\n').expect("its end");
-        [&t[..at], &moved(&t[at..end], 'W', 60.0), &t[end..]].concat()
+    let other_lean = faults(&|t| {
+        let line = |l: &str| if token(l, "C").is_some() { moved(l, "C", -2.0 * word(l, "C")) } else { l.to_owned() };
+        t.lines().map(line).collect::<Vec<_>>().join("\n")
     });
-    assert!(low.contains(&CheckId::ProgramRapids), "{low:?}");
-    assert_eq!(program_faults(|t| t.replacen("G64", "G41 D1 G64", 1)), [CheckId::ProgramReadable]);
-    let far = program_faults(|t| third(t, &|l| format!("{}\n{l}", moved(l, 'Z', 900.0))));
-    assert!(far.contains(&CheckId::ProgramTravel), "{far:?}");
+    assert!(other_lean.contains(&CheckId::ProgramMissing), "{control}: {other_lean:?}");
+    // 0.01 mm off, and two thousandths of a degree. Per minute another way is another time, too.
+    let mut off = third(&|l| moved(l, "V", 0.01));
+    off.retain(|id| control != "fanuc" || *id != CheckId::ProgramTime);
+    assert_eq!(off, [CheckId::ProgramCentre], "{control}");
+    let turned = third(&|l| match token(l, "B") {
+        Some(_) => moved(l, "B", 0.002),
+        None => l.replacen("G1 ", if control == "siemens" { "G1 B=5.002 " } else { "G1 B5.002 " }, 1),
+    });
+    assert!(turned.contains(&CheckId::ProgramDirection), "{control}: {turned:?}");
+    assert_eq!(third(&|l| l.replacen("G1 ", "G1 X0 X1 ", 1)), [CheckId::ProgramReadable], "{control}");
+    // A line too few, one too many, one too slow.
+    assert!(third(&|_| String::new()).contains(&CheckId::ProgramMissing), "{control}");
+    assert!(third(&|l| format!("{l}\n{}", moved(l, "X", 3.0))).contains(&CheckId::ProgramMissing), "{control}");
+    assert_eq!(third(&|l| moved(l, "F", -0.9 * word(l, "F"))), [CheckId::ProgramTime], "{control}");
+    assert_eq!(third(&|l| moved(l, "F", -word(l, "F"))), [CheckId::ProgramReadable], "{control}");
+    // A rapid through the blade, a word that no such program has, travel.
+    let is_rapid = |l: &str| l.split(' ').any(|w| w == "G0") && token(l, "X").is_some();
+    let low = faults(&|t| with_line(t, 4, is_rapid, |l| moved(l, "W", 60.0)));
+    assert!(low.contains(&CheckId::ProgramRapids), "{control}: {low:?}");
+    for stray in ["G41 D1", "G43.4 H1", "TRAORI", "G91", "G20", "X1.2.3", "(open", "G2 X1", "G4 X1", "G4"] {
+        let found = third(&|l| format!("{stray}\n{l}"));
+        assert_eq!(found, [CheckId::ProgramReadable], "{control}: {stray}");
+    }
+    let far = third(&|l| format!("{}\n{l}", moved(l, "Z", 900.0)));
+    assert!(far.contains(&CheckId::ProgramTravel), "{control}: {far:?}");
+    // What is set before it cuts, and the end.
+    let offset = if control == "siemens" { "G500" } else { "G54" };
+    assert_eq!(faults(&|t| t.replacen(&format!("{offset}\n"), "\n", 1)), [CheckId::ProgramFrame], "{control}");
+    assert_eq!(faults(&|t| t.replacen(" G90", "", 1)), [CheckId::ProgramFrame], "{control}");
+    let slow = faults(&|t| {
+        t.replacen("6000 $1", "600 $1", 1).replacen("S2=6000", "S2=600", 1).replacen("6000 P2", "600 P2", 1)
+    });
+    assert_eq!(slow, [CheckId::ProgramSpindle], "{control}");
+    let stands = faults(&|t| t.replacen("M3 $1\n", "\n", 1).replacen(" M2=3", "", 1).replacen(" P2 M3", " P2", 1));
+    assert!(stands.contains(&CheckId::ProgramSpindle) || stands == [CheckId::ProgramReadable], "{control}: {stands:?}");
+    if ["linuxcnc", "siemens"].contains(&control) {
+        let loose = faults(&|t| t.replacen("G64 P0.001", "G64 P0.1", 1).replacen("CTOL=0.001", "CTOL=0.1", 1));
+        assert_eq!(loose, [CheckId::ProgramSmoothing], "{control}");
+    }
+    let open = faults(&|t| t.replacen("\nM2\n", "\n", 1).replacen("M30\n", "\n", 1));
+    assert_eq!(open, [CheckId::ProgramEnd], "{control}");
+}
+
+/// The programs of both channels.
+fn channels() -> [String; 2] {
+    let (setup, _, programmed) = programmed();
+    let siemens = Dialect::built_in(Control::Siemens).expect("a dialect");
+    let files = setup.pinch_files(&siemens, &programmed.motion, 2).expect("programs");
+    assert_eq!([&files[0].name, &files[1].name], ["pinch_ch1.mpf", "pinch_ch2.mpf"]);
+    [files[0].text.clone(), files[1].text.clone()]
+}
+
+fn is_mark(line: &str) -> bool {
+    line.contains("WAITM(")
+}
+
+#[test]
+fn two_channels_meet_at_the_same_marks() {
+    let (setup, pinch, programmed) = programmed();
+    let texts = channels();
+    let found = judged("siemens", &texts);
+    assert!(found.is_empty(), "{found:?}");
+    let marks = |text: &str| -> Vec<String> {
+        let of = |l: &str| Some(l.split_once("WAITM(")?.1.split_once(')')?.0.to_owned());
+        text.lines().filter_map(of).collect()
+    };
+    let count = 1 + 2 * pinch.held.len();
+    let wanted: Vec<String> = (0..count).map(|k| format!("{},1,2", k % 99 + 1)).collect();
+    assert_eq!(marks(&texts[0]), wanted);
+    assert_eq!(marks(&texts[1]), wanted);
+    // Each channel has its own axes, the table is the first's; F of both is the same, line by line.
+    let cuts = texts.each_ref().map(|t| t.lines().filter(|l| is_cut(l)).collect::<Vec<_>>());
+    assert_eq!(cuts[0].len(), cuts[1].len());
+    for (a, b) in cuts[0].iter().zip(&cuts[1]) {
+        assert_eq!(word(a, "F"), word(b, "F"));
+        assert!(["U", "V", "W", "C"].iter().all(|l| token(a, l).is_none()), "{a}");
+        assert!(["X", "Y", "Z", "A", "B"].iter().all(|l| token(b, l).is_none()), "{b}");
+    }
+    // Where the table moves in a row there is no such program, but one in one channel.
+    let mut motion = programmed.motion.clone();
+    motion.stretches[3].motion.position[5][setup.machine.turning_axis()] += 0.002;
+    let siemens = Dialect::built_in(Control::Siemens).expect("a dialect");
+    let refused = setup.pinch_files(&siemens, &motion, 2).expect_err("the table moves");
+    assert!(refused.message.contains("A moves by 0.1146 deg in row 4 while both tools cut"), "{}", refused.message);
+    assert_eq!(refused.kind.exit_code(), 3);
+    assert!(setup.pinch_files(&siemens, &motion, 1).is_ok());
+    // Where one tool stands its channel waits: a line that goes nowhere would be passed at once.
+    let mut motion = programmed.motion.clone();
+    let columns = setup.machine.heads()[1].linear();
+    let row = &mut motion.stretches[3].motion.position;
+    columns.into_iter().for_each(|k| row[6][k] = row[5][k]);
+    let files = setup.pinch_files(&siemens, &motion, 2).expect("programs");
+    let waits = |text: &str| text.lines().filter(|l| l.contains("G4 F0.0")).count();
+    assert_eq!([waits(&files[0].text), waits(&files[1].text)], [0, 1]);
+    let found = judged("siemens", &[files[0].text.clone(), files[1].text.clone()]);
+    let ids: Vec<&CheckId> = found.iter().map(|c| &c.id).collect();
+    assert!(!ids.contains(&&CheckId::ProgramChannels) && ids.contains(&&CheckId::ProgramMissing), "{found:?}");
+    let gone = files[1].text.lines().filter(|l| !l.contains("G4 F0.0")).collect::<Vec<_>>().join("\n");
+    let passed = files[1].text.replace("G4 F0.0", "G1 V=0 F9 ; ");
+    for other in [gone, passed] {
+        let found = judged("siemens", &[files[0].text.clone(), other]);
+        assert!(found.iter().any(|c| c.id == CheckId::ProgramChannels), "{found:?}");
+    }
+}
+
+/// What is said of both channels after a change of their programs.
+fn channel_faults(change: impl FnOnce(&mut [String; 2])) -> Vec<String> {
+    let mut texts = channels();
+    change(&mut texts);
+    judged("siemens", &texts).iter().map(|c| format!("{}: {}; {}", c.id, c.quantity, c.note)).collect()
+}
+
+#[test]
+fn faults_planted_in_two_channels_are_named() {
+    let mark =
+        |text: &mut String, n: usize, change: &dyn Fn(&str) -> String| *text = with_line(text, n, is_mark, change);
+    let named = |found: Vec<String>, says: &str| {
+        assert!(found.iter().any(|f| f.starts_with("program-channels: ") && f.contains(says)), "{says}: {found:?}");
+    };
+    // Mark 8 is the one over the fourth row.
+    let gone = |_: &str| String::new();
+    named(channel_faults(|t| mark(&mut t[1], 7, &gone)), "mark 8 in line");
+    named(channel_faults(|t| mark(&mut t[1], 7, &gone)), "which meets mark 9 in line");
+    named(channel_faults(|t| t.iter_mut().for_each(|t| mark(t, 7, &gone))), "mark 9 in line");
+    named(channel_faults(|t| t.iter_mut().for_each(|t| mark(t, 7, &gone))), "missing or too many");
+    let last = |t: &mut String| mark(t, 58, &gone);
+    named(channel_faults(|t| t.iter_mut().for_each(last)), "58 in channel 1, 58 in channel 2, wanted 59");
+    named(channel_faults(|t| last(&mut t[0])), "where channel 1 has no more");
+    let renumbered =
+        |to: u32| move |l: &str| l.replacen(",1,2)", ")", 1).replacen("WAITM(8)", &format!("WAITM({to},1,2)"), 1);
+    named(channel_faults(|t| mark(&mut t[0], 7, &renumbered(7))), "mark 7 in line");
+    named(channel_faults(|t| mark(&mut t[0], 7, &|l| format!("{l}\n{l}"))), "where 9 comes next");
+    let swapped = |t: &mut String| {
+        mark(t, 7, &|l| l.replace("WAITM(8", "WAITM(9"));
+        mark(t, 8, &|l| l.replace("WAITM(9", "WAITM(8"));
+    };
+    named(channel_faults(|t| swapped(&mut t[0])), "wait marks out of their order");
+    named(channel_faults(|t| swapped(&mut t[0])), "one channel waits for ever");
+    named(channel_faults(|t| t.iter_mut().for_each(swapped)), "where 8 comes next");
+    named(channel_faults(|t| mark(&mut t[1], 7, &|l| l.replace(",1,2)", ",2)"))), "does not wait for channels 1 and 2");
+    // The table, in the program of its own channel and in the other's.
+    let cut = |text: &mut String, n: usize, change: &dyn Fn(&str) -> String| *text = with_line(text, n, is_cut, change);
+    named(channel_faults(|t| cut(&mut t[0], CUT, &|l| l.replace("G1 ", "G1 A=DC(11.5) "))), "A in line");
+    named(channel_faults(|t| cut(&mut t[1], CUT, &|l| l.replace("G1 ", "G1 A=DC(11.5) "))), "A in line");
+    named(channel_faults(|t| t.swap(0, 1)), "the other channel's");
+    // Lines that one lacks, a rapid amid a row, a channel that is slower.
+    named(channel_faults(|t| cut(&mut t[1], CUT, &gone)), "lines of channel 1 and");
+    named(channel_faults(|t| cut(&mut t[1], CUT, &|l| format!("G0 W-300\nG1\n{l}"))), "a rapid in line");
+    let slow = |l: &str| if is_cut(l) { moved(l, "F", -0.1 * word(l, "F")) } else { l.to_owned() };
+    named(
+        channel_faults(|t| t[1] = t[1].lines().map(slow).collect::<Vec<_>>().join("\n")),
+        "time between the channels",
+    );
+    // One waits beside the place that it is to go down from.
+    let over = |l: &str| l.contains("G0 U=") && token(l, "W").is_some();
+    named(
+        channel_faults(|t| t[1] = with_line(&t[1], 4, over, |l| moved(l, "V", 3.0))),
+        "distance of both tools at wait marks",
+    );
+    // A program in one channel does not wait.
+    let waits = program_faults("siemens", |t| t.replacen("N120 ", "N120 WAITM(1,1,2) ", 1));
+    assert_eq!(waits, [CheckId::ProgramReadable]);
+}
+
+/// Whichever of the two lags: no place of one tool is near any of the other between two marks.
+#[test]
+fn tools_stay_apart_however_far_one_lags() {
+    let (setup, pinch, programmed) = programmed();
+    let held = pinch.stretches();
+    let texts = channels();
+    let apart = |asked_mm: f64| {
+        let work = PinchWork { tools_apart_mm: asked_mm, ..setup.pinch_work(pinch, &held) };
+        let asked =
+            PinchAsked { cutting_s: programmed.motion.cutting_s, spindle_rpm: [6000.0; 2], tolerance_mm: 0.001 };
+        let texts = [texts[0].as_str(), texts[1].as_str()];
+        let checks = verify::check_pinch_program(&texts, &work, &setup.machine, &asked, &setup.verify_options());
+        checks.into_iter().find(|c| c.id == CheckId::ToolsApart).expect("the check")
+    };
+    // Between the balls alone, over all pairs of places of a row.
+    let mut least_mm = f64::INFINITY;
+    for (places, _) in &held {
+        let row = &pinch.rows.places[places.clone()];
+        let gap = |a: usize, b: usize| (row[a].contacts[0].centre - row[b].contacts[1].centre).norm() - 4.0;
+        let pairs = (0..row.len()).flat_map(|a| (0..row.len()).map(move |b| (a, b)));
+        least_mm = pairs.map(|(a, b)| gap(a, b)).fold(least_mm, f64::min);
+    }
+    assert!(least_mm > 0.5 && least_mm <= pinch.figures.tools_apart_mm + 1e-9, "{least_mm}");
+    let near = apart(0.98 * least_mm);
+    assert!(near.passed && near.worst >= 0.98 * least_mm && near.worst <= least_mm + 1e-9, "{near:?} {least_mm}");
+    assert!(!apart(1.02 * least_mm).passed);
+}
+
+#[test]
+fn the_second_tool_has_a_ball_of_its_own() {
+    let machine = format!("machine.file={TWO_HEADS:?}");
+    let keys = ["tool_2.radius_mm=3", "pinch.spindle_2_rpm=4500", "post.control=[\"siemens\"]"];
+    let (setup, pinch) = std::thread::scope(|s| {
+        let plan = || plan_for(&[&machine, keys[0], keys[1], keys[2]]);
+        s.spawn(plan).join().expect("planned")
+    });
+    let (tools, held) = (setup.pinch_tools(), pinch.stretches());
+    let radius_mm = tools.map(|t| t.radius_mm);
+    assert_eq!((radius_mm, pinch.rows.radius_mm), ([2.0, 3.0], [2.0, 3.0]));
+    let lengths_mm = tools.map(|t| t.length_mm());
+    assert!(lengths_mm[1] - lengths_mm[0] > 1.0, "{lengths_mm:?}");
+    for place in &pinch.rows.places {
+        for (c, radius_mm) in place.contacts.iter().zip(radius_mm) {
+            let near = setup.blade.part.closest(&c.centre, 10.0).expect("near the part");
+            assert!((near.distance_mm - radius_mm).abs() < 1e-5 && (near.point - c.contact).norm() < 1e-4);
+        }
+    }
+    let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
+    let failed: Vec<&Check> = pinch.checks.iter().chain(programmed.all_checks()).filter(|c| !c.passed).collect();
+    assert!(failed.is_empty(), "{failed:?}");
+    // The machine puts each ball in its place by the length of its own tool.
+    for s in &programmed.motion.stretches {
+        for (row, k) in s.motion.position.iter().zip(s.places.clone()) {
+            for j in 0..2 {
+                let pose = setup.machine.forward_of(j, row, lengths_mm[j]).expect("a head");
+                assert!((pose.centre - pinch.rows.places[k].contacts[j].centre).norm() < 1e-6);
+            }
+        }
+    }
+    let text = &programmed.programs[0].files[0].text;
+    for says in ["Tool 1 ball end, R 2.0000 mm", "Tool 2 ball end, R 3.0000 mm", "S1=6000 M1=3", "S2=4500 M2=3"] {
+        assert!(text.contains(says), "{says}");
+    }
+    for (length_mm, radius_mm) in lengths_mm.iter().zip(radius_mm) {
+        assert!(text.contains(&format!("stand out {:.4} mm", length_mm + radius_mm)));
+    }
+    let siemens = Dialect::built_in(Control::Siemens).expect("a dialect");
+    let files = setup.pinch_files(&siemens, &programmed.motion, 2).expect("programs");
+    assert!(files[0].text.contains("S6000 M3") && files[1].text.contains("S4500 M3"));
+    let found = setup.read_back_pinch(&siemens, &files, &pinch, &programmed.motion);
+    assert!(found.iter().all(|c| c.passed), "{found:?}");
+    // Tools in the wrong spindles: the larger ball gouges, and the smaller leaves ridges.
+    let wrong = PinchWork { tools: [tools[1], tools[0]], ..setup.pinch_work(&pinch, &held) };
+    let (checks, _) = verify::check_pinch(&wrong, &setup.verify_options());
+    let gouge = checks.iter().find(|c| c.id == CheckId::Gouge && !c.passed).expect("a gouge");
+    assert!(gouge.quantity.starts_with("tool 1") && gouge.worst > 0.9, "{gouge:?}");
+    // A second tool like the first: its ball is elsewhere by what the lengths differ.
+    let alike = PinchWork { tools: [tools[0]; 2], ..setup.pinch_work(&pinch, &held) };
+    let cutting_s = programmed.motion.cutting_s;
+    let asked = PinchAsked { cutting_s, spindle_rpm: [6000.0, 4500.0], tolerance_mm: 0.001 };
+    let checks = verify::check_pinch_program(&[text.as_str()], &alike, &setup.machine, &asked, &setup.verify_options());
+    assert!(checks.iter().any(|c| c.id == CheckId::ProgramMissing && !c.passed), "{checks:?}");
+    let same = PinchAsked { spindle_rpm: [6000.0; 2], ..asked };
+    let work = setup.pinch_work(&pinch, &held);
+    let checks = verify::check_pinch_program(&[text.as_str()], &work, &setup.machine, &same, &setup.verify_options());
+    let failed: Vec<&CheckId> = checks.iter().filter(|c| !c.passed).map(|c| &c.id).collect();
+    assert_eq!(failed, [&CheckId::ProgramSpindle]);
+}
+
+#[test]
+fn the_second_tool_takes_angles_by_its_own_shape() {
+    let (_, usual) = planned();
+    let (_, pinch) = std::thread::scope(|s| {
+        s.spawn(|| plan_for(&["tool_2.stickout_mm=25", "tool_2.shank_radius_mm=3"])).join().expect("planned")
+    });
+    assert_eq!(pinch.rows, usual.rows);
+    assert_eq!(pinch.own[0], usual.own[0]);
+    let widths = pinch.own[1].iter().zip(&usual.own[1]).map(|(a, b)| (a.widest(), b.widest()));
+    let lost: Vec<f64> = widths.map(|(a, b)| (b - a).to_degrees()).collect();
+    let [least, most] = [f64::min, f64::max].map(|of| lost.iter().copied().reduce(of).expect("places"));
+    assert!(least > -0.05 && most > 5.0, "its holder is nearer, and nothing else: {least} to {most}");
+    assert!(pinch.checks.iter().all(|c| c.passed), "{:?}", pinch.checks);
+}
+
+/// The job that a run leaves has both tools complete, and is the same run again.
+#[test]
+fn a_job_of_two_tools_runs_again_as_it_is() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (first, again) = (folder.path().join("first"), folder.path().join("again"));
+    let library = format!("tool_2.library={:?}", concat!(env!("CARGO_MANIFEST_DIR"), "/models/tools/library.json"));
+    let mut arguments = vec![MODEL, "--set", &library, "--set", "tool_2.entry=12", "--set", "tool.stickout_mm=40"];
+    let machine = format!("machine.file={TWO_HEADS:?}");
+    arguments.extend(["--set", &machine, "--set", "path.scallop_mm=0.3", "--set", "tool.radius_mm=2.5"]);
+    let ran = command(&arguments, &first);
+    assert!(ran.status.success(), "{ran:?}");
+    let job = first.join("job.resolved.toml");
+    let text = std::fs::read_to_string(&job).expect("the job");
+    let job_of = |text: &str| -> toml::Table { toml::from_str(text).expect("TOML") };
+    let second = job_of(&text)["tool_2"].as_table().expect("tool 2").clone();
+    assert!(!second.contains_key("library") && second["radius_mm"].as_float().is_some_and(|r| r != 2.5), "{second:?}");
+    assert!(second["holder"].as_array().is_some_and(|h| !h.is_empty()) && second.contains_key("stickout_mm"));
+    let ran = command(&[job.to_str().expect("a path")], &again);
+    assert!(ran.status.success(), "{ran:?}");
+    for name in ["job.resolved.toml", "pairs.csv", "pinch.mpf", "pinch.ngc", "pinch_axes.csv"] {
+        let [a, b] = [&first, &again].map(|folder| std::fs::read(folder.join(name)).expect(name));
+        assert!(a == b, "{name}");
+    }
+}
+
+#[test]
+fn post_files_say_what_is_wrong_with_their_lines_for_two_tools() {
+    let machine = &programmed().0.machine;
+    let siemens = Control::Siemens.post_file();
+    for (from, to, says) in [
+        ("file = \"pinch.mpf\"", "file = \"../pinch.mpf\"", "pinch.file must be a file name"),
+        ("file = \"pinch.mpf\"", "file = \"pinch.json\"", "the ending of a file of another kind"),
+        ("file = \"pinch_ch{channel}.mpf\"", "file = \"pinch_ch1.mpf\"", "pinch_channels.file must have {channel}"),
+        ("last_mark = 99", "last_mark = 1", "last_mark must be 2 to 9999"),
+        ("axis = \"{name}={at}\"", "axis = \"{name}\"", "axis must be one word"),
+        ("\"G1 {moving} F{f}\", \"G94\"]", "\"G1 {moved} F{f}\"]", "there is no value {moved}"),
+        ("\"WAITM({mark},1,2) ; both tools are up\",", "", "start has {mark} 0 times"),
+        ("down = [\"G1 {moving} F{f}\"]", "down = []", "down, cut and up must have at least one line"),
+    ] {
+        assert!(siemens.contains(from), "{from}");
+        let refused = Dialect::from_toml(&siemens.replacen(from, to, 1), "own.toml").expect_err(from);
+        assert!(refused.message.contains(says) && refused.message.starts_with("own.toml"), "{}", refused.message);
+    }
+    let section = siemens.split_once("[pinch]").expect("the section").1;
+    let section = section.split_once("[pinch_channels]").expect("the section behind it").0;
+    let klartext = format!("{}\n[pinch]{section}", Control::Heidenhain.post_file());
+    let refused = Dialect::from_toml(&klartext, "own.toml").expect_err("Klartext");
+    assert!(refused.message.contains("need grammar = \"gcode\""), "{}", refused.message);
+    let few = Control::Iso.post_file().replace("[pinch]\n", "[pinch]\nletters = \"XYZABUVW\"\n");
+    let few = Dialect::from_toml(&few, "own.toml").expect("a post file");
+    let refused = post::pinch::pinch_text(&few, machine, 1).expect_err("eight letters");
+    assert!(refused.message.contains("has no letter for axis C of the machine pinch_9x"), "{}", refused.message);
 }
 
 fn command(arguments: &[&str], out: &Path) -> Output {
@@ -337,6 +712,12 @@ fn what_cannot_be_held_leaves_nothing_behind() {
     let folder = tempfile::tempdir().expect("a folder");
     let mesh = concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.obj");
     let job = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/jobs/wheel.toml");
+    let machine = format!("machine.file={TWO_HEADS:?}");
+    let with = |keys: &[&'static str]| {
+        let mut all = vec![MODEL, "--set", &machine];
+        keys.iter().for_each(|key| all.extend(["--set", *key]));
+        all
+    };
     for (arguments, code, says) in [
         (vec![mesh], 3, "the part is a mesh"),
         (vec![MODEL, "--set", "pinch.heights_mm=[30, 20]"], 2, "the airfoil lies between"),
@@ -345,6 +726,15 @@ fn what_cannot_be_held_leaves_nothing_behind() {
         (vec![MODEL, "--set", "pinch.between_deg=20", "--set", "path.scallop_mm=0.3"], 3, "free for both tools"),
         (vec![MODEL, "--set", "pinch.b_2_deg=89"], 2, "pinch.b_2_deg is 89"),
         (vec![job], 2, "each keeps one lean"),
+        (with(&["post.control=[\"heidenhain\"]"]), 2, "Heidenhain TNC has no programs of two tools"),
+        (with(&["pinch.channels=2"]), 2, "LinuxCNC has programs of two tools in one channel only"),
+        (with(&["pinch.channels=3"]), 2, "pinch.channels is 3"),
+        (with(&["tool_2.radius_mm=0"]), 2, "tool_2.radius_mm is 0"),
+        (with(&["tool_2.radius_mm=3", "tool_2.shank_radius_mm=1"]), 2, "tool_2.shank_radius_mm is 1"),
+        (with(&["tool_2.radius_mm=3", "tool_2.corner_radius_mm=1"]), 2, "tool_2.corner_radius_mm"),
+        (with(&["tool_2.radius_mm=0.005"]), 2, "tool_2.radius_mm is 0.005, it must be at least"),
+        (with(&["tool_2.entry=3"]), 2, "tool_2.entry is given, but no library"),
+        (with(&["pinch.spindle_2_rpm=0"]), 2, "pinch.spindle_2_rpm is 0"),
     ] {
         let out = folder.path().join("out");
         let ran = command(&arguments, &out);

@@ -117,6 +117,7 @@ checks! {
     "program-smoothing" ProgramSmoothing "how far the control may leave the path.",
     "program-frame" ProgramFrame "the work offset.",
     "program-words" ProgramWords "words against what the control reads.",
+    "program-channels" ProgramChannels "programs of two channels against each other: wait marks, axes, the table.",
     "program-readable" ProgramReadable "that a program can be read.",
     "program-absent" ProgramAbsent "that a program which the job asks for is there.",
     "contact" Contact "that a program of others comes to the part at all.",
@@ -162,6 +163,7 @@ impl CheckId {
                 | Id::ProgramSmoothing
                 | Id::ProgramFrame
                 | Id::ProgramWords
+                | Id::ProgramChannels
                 | Id::ProgramReadable
                 | Id::ProgramAbsent
         )

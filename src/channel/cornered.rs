@@ -130,9 +130,8 @@ pub(super) fn closed(
             }
             let needs_deg = sample.cone.tool_axis(clear).angle(&sample.normal).to_degrees();
             (
-                format!(
-                    "let it lean more with channel.contact_angle_max_deg, or take a narrower cutter or a larger corner"
-                ),
+                "let it lean more with channel.contact_angle_max_deg, or take a narrower cutter or a larger corner"
+                    .to_owned(),
                 format!("; at {needs_deg:.2}° it would be clear there"),
             )
         }

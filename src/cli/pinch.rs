@@ -9,7 +9,6 @@ use crate::error::{ErrorKind, Result};
 use crate::observe::Observer;
 use crate::plan::pinch::{Pinch, PinchProgrammed};
 use crate::run::{Loaded, RunFolder, pinch as files};
-use crate::write::post;
 use serde_json::json;
 
 /// Single ridges over the scallop by this factor are told.
@@ -27,6 +26,8 @@ fn study(args: &args::Pinch, observer: &dyn Observer) -> Result<u8> {
     let mut folder = RunFolder::begin(&args.job.out)?;
     let setup = Loaded::read(&draft_of(&args.job)?, observer)?.setup;
     folder.add_job_of_study(&setup.job.to_toml()?)?;
+    // What no control can have is said before rows are planned.
+    setup.pinch_dialects()?;
     let pinch = setup.pinch(observer)?;
     let programmed = setup.pinch_program(&pinch, observer)?;
     for (name, text) in files::tables(&setup, &pinch) {
@@ -43,11 +44,15 @@ fn study(args: &args::Pinch, observer: &dyn Observer) -> Result<u8> {
         print_program(&pinch, programmed, setup.job.feed.feed_mm_min);
         folder.add("pinch_axes.csv", files::axes(&setup, &programmed.motion))?;
         passed &= programmed.checks.iter().all(|c| c.passed);
-        // A program that is written is one that passed.
-        if passed {
-            folder.add(post::pinch::FILE, programmed.text.clone())?;
-        } else {
-            sayln!("no program is written: a check failed");
+        for posted in &programmed.programs {
+            // A program that is written is one that passed, as rows and motion have.
+            let is_good = passed_before(&pinch, programmed) && posted.checks.iter().all(|c| c.passed);
+            if is_good {
+                posted.files.iter().try_for_each(|f| folder.add(&f.name, &f.text))?;
+            } else {
+                sayln!("no program is written for {}: a check failed", posted.control);
+            }
+            passed &= is_good;
         }
     } else {
         sayln!(
@@ -65,8 +70,15 @@ fn study(args: &args::Pinch, observer: &dyn Observer) -> Result<u8> {
     Ok(if passed { 0 } else { ErrorKind::Findings.exit_code() })
 }
 
+/// All checks of rows and motion.
+fn passed_before(pinch: &Pinch, programmed: &PinchProgrammed) -> bool {
+    pinch.checks.iter().chain(&programmed.checks).all(|c| c.passed)
+}
+
 fn print(pinch: &Pinch, f: &files::PinchSummary) {
     let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
+    let [one, two] = f.radius_mm;
+    row("balls", format!("R {one} mm for tool 1, R {two} mm for tool 2"));
     row("rows", format!("{}, {} of them with the table still", f.rows, f.still_rows));
     row("places of both tools", f.places.to_string());
     if f.cut_off > 0 {
@@ -107,15 +119,14 @@ fn print_program(pinch: &Pinch, programmed: &PinchProgrammed, feed_mm_min: f64) 
     row("both tools cut", format!("{:.1} s, {share:.1} % of {alone:.1} s for one tool on both sides", m.cutting_s));
     let longest = [0, 1].map(|k| pinch.rows.length_mm(k)).into_iter().fold(0.0, f64::max);
     row("  at full feed all along", format!("{:.1} s", 60.0 * longest / feed_mm_min));
-    row(
-        "program",
-        format!(
-            "{} lines, from row to row outside {:.1} mm of the blade axis",
-            programmed.text.lines().count(),
-            m.turning_mm
-        ),
-    );
+    row("from row to row", format!("outside {:.1} mm of the blade axis", m.turning_mm));
     print_failed(&programmed.checks);
+    for posted in &programmed.programs {
+        let files: Vec<&str> = posted.files.iter().map(|f| f.name.as_str()).collect();
+        let lines: usize = posted.files.iter().map(|f| f.text.lines().count()).sum();
+        row(&format!("program for {}", posted.control), format!("{}, {lines} lines", files.join(" and ")));
+        print_failed(&posted.checks);
+    }
 }
 
 fn print_failed(checks: &[Check]) {

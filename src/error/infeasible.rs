@@ -234,6 +234,15 @@ pub enum Infeasible {
         /// Its travel, mm or degrees.
         travel: [f64; 2],
     },
+    /// What turns or moves the workpiece moves while two tools of two channels cut.
+    TableMovesInRow {
+        /// Name of the axis.
+        axis: String,
+        /// Row, from 0.
+        row: usize,
+        /// How far it moves, mm or degrees.
+        moved: f64,
+    },
     /// At a place of two tools no angle of the table is free for both.
     NoCommonAngle {
         /// Row, from 0.

@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use super::resolved::Job;
-use super::sections::{FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings};
+use super::sections::{
+    FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings, ToolKeys,
+};
 use super::tool::{self, Chosen};
 use super::typed::JobFile;
 use super::wheel;
@@ -70,7 +72,9 @@ fn early_checks(typed: &JobFile) -> Result<()> {
         return Err(Error::usage(Stage::Job, "the job has a section cut, but post.spindle_rpm is missing")
             .advise("name the spindle speed that the teeth turn at"));
     }
-    if tool.library.is_some() || tool.entry.is_some() || tool.unit.is_some() {
+    let second = typed.tool_2.clone().unwrap_or_default();
+    let of_file = |t: &ToolKeys| t.library.is_some() || t.entry.is_some() || t.unit.is_some();
+    if of_file(&tool) || of_file(&second) {
         return Err(Error::usage(Stage::Job, "tool.library, entry and unit name a tool in a file, which was not read")
             .advise("in the library, read it with run::inputs::draft"));
     }
@@ -79,6 +83,10 @@ fn early_checks(typed: &JobFile) -> Result<()> {
     super::tool::check_corner(&tool)?;
     number("tool.shank_radius_mm", &tool.shank_radius_mm, TINY..=1000.0)?;
     number("tool.stickout_mm", &tool.stickout_mm, TINY..=10_000.0)?;
+    number("tool_2.radius_mm", &second.radius_mm, TINY..=1000.0)?;
+    super::tool::balls_only(&second).map_err(super::tool::of_second)?;
+    number("tool_2.shank_radius_mm", &second.shank_radius_mm, TINY..=1000.0)?;
+    number("tool_2.stickout_mm", &second.stickout_mm, TINY..=10_000.0)?;
     // Twice: a number that is no height at all has a message of its own.
     number("path.scallop_mm", &path.scallop_mm, path::SCALLOPS_MM)?;
     number("path.scallop_mm", &path.scallop_mm, LEAST_SCALLOP_MM..=*path::SCALLOPS_MM.end())?;
@@ -145,8 +153,13 @@ impl Draft {
     pub fn settle(&self, blade: &Blade) -> Result<(Job, Chosen)> {
         let t = self.typed.clone();
         let typed = typed_region(&t.region.unwrap_or_default(), blade)?;
-        let chosen = tool::complete(&t.tool.unwrap_or_default(), blade, typed.start_mm, typed.end_mm)?;
+        let keys = t.tool.unwrap_or_default();
+        let mut chosen = tool::complete(&keys, blade, typed.start_mm, typed.end_mm)?;
         let radius_mm = chosen.tool.radius_mm;
+        let second =
+            t.tool_2.map(|second| tool::second(&second, (&chosen.tool, &keys), blade, [typed.start_mm, typed.end_mm]));
+        let second = second.transpose()?;
+        chosen.warnings.extend(second.iter().flat_map(|s| s.warnings.iter().cloned()));
         let start_mm = typed.start_mm.unwrap_or_else(|| default_start(blade, radius_mm));
         let region = RegionSettings { start_mm, end_mm: typed.end_mm, end_faces: typed.end_faces };
         let path = path_settings(t.path, blade, &region, chosen.tool.corner_mm());
@@ -175,6 +188,7 @@ impl Draft {
             verify: verify.with_typed(t.verify),
             section: SectionSettings::default().with_typed(t.section),
             tool: chosen.tool.clone(),
+            tool_2: second.map(|s| s.tool),
             fixture: t.fixture.into_iter().flatten().map(|f| body("fixture", f)).collect::<Result<_>>()?,
             stock: t.stock.map(|f| body("stock", f)).transpose()?,
             wheel: wheel::settled(t.wheel, blade.wheel.as_ref())?,

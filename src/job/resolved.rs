@@ -44,6 +44,9 @@ pub struct Job {
     pub section: SectionSettings,
     /// The tool.
     pub tool: Tool,
+    /// The second of two tools on one blade, for `pinch`. Default, left out: like the first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tool_2: Option<Tool>,
     /// What else is in the tool's way. Default, left out: nothing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fixture: Vec<FixtureSettings>,
@@ -89,6 +92,10 @@ impl Job {
             f.check(Stage::Job)?;
         }
         self.tool.validate()?;
+        if let Some(second) = &self.tool_2 {
+            number("tool_2.radius_mm", &second.radius_mm, 2.0 * self.path.scallop_mm..=1000.0)?;
+            second.validate().map_err(super::tool::of_second)?;
+        }
         self.chip()?;
         self.orientation.check(Stage::Job)?;
         self.pinch.iter().try_for_each(|p| p.check(Stage::Job))?;

@@ -122,12 +122,48 @@ pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, en
     Ok(Chosen { tool, why, warnings })
 }
 
-/// What is wrong with the corner of a cutter on any blade.
+/// The second of two tools: keys that are left out are those of the first, and its ball is as
+/// large.
 ///
 /// # Errors
-/// `Usage`, with the limit.
-pub(super) fn check_corner(keys: &ToolKeys) -> Result<()> {
-    let Some(corner) = keys.corner_radius_mm else { return Ok(()) };
+/// As [`complete`], naming keys of `tool_2`.
+pub(super) fn second(
+    keys: &ToolKeys,
+    (first, of_first): (&Tool, &ToolKeys),
+    blade: &Blade,
+    [start_mm, end_mm]: [Option<f64>; 2],
+) -> Result<Chosen> {
+    let keys = ToolKeys {
+        radius_mm: keys.radius_mm.or(Some(first.radius_mm)),
+        taper_deg: keys.taper_deg.or(of_first.taper_deg),
+        shank_radius_mm: keys.shank_radius_mm.or(of_first.shank_radius_mm),
+        stickout_mm: keys.stickout_mm.or(of_first.stickout_mm),
+        holder: keys.holder.clone().or_else(|| of_first.holder.clone()),
+        ..ToolKeys::default()
+    };
+    complete(&keys, blade, start_mm, end_mm).map_err(of_second)
+}
+
+/// The same error with the keys of the second tool.
+pub(super) fn of_second(e: Error) -> Error {
+    let named = |text: String| text.replace("tool.", "tool_2.");
+    Error { message: named(e.message), advice: e.advice.map(named), ..e }
+}
+
+/// Refuses cutters with a corner, for which rows of two tools are not planned.
+///
+/// # Errors
+/// `Usage`: what is wrong with the corner, or that it is one.
+pub(super) fn balls_only(keys: &ToolKeys) -> Result<()> {
+    check_corner(keys)?.map_or(Ok(()), |tool| tool.ball_only("rows for two tools are planned"))
+}
+
+/// A cutter with a corner in its shortest form; `None` where none is given.
+///
+/// # Errors
+/// `Usage`: what is wrong with the corner on any blade, with the limit.
+pub(super) fn check_corner(keys: &ToolKeys) -> Result<Option<Tool>> {
+    let Some(corner) = keys.corner_radius_mm.filter(|corner| Some(*corner) != keys.radius_mm) else { return Ok(None) };
     let Some(radius_mm) = keys.radius_mm else {
         return Err(Error::usage(Stage::Job, "tool.corner_radius_mm is given without tool.radius_mm")
             .advise("give the radius of the cutter too; a ball has no corner"));
@@ -140,7 +176,8 @@ pub(super) fn check_corner(keys: &ToolKeys) -> Result<()> {
         stickout_mm: 2.0 * radius_mm,
         holder: Vec::new(),
     };
-    tool.validate()
+    tool.validate()?;
+    Ok(Some(tool))
 }
 
 /// The cutter that the part's shape asks for, and why.

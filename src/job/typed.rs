@@ -29,6 +29,9 @@ pub struct JobFile {
     /// The tool.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tool: Option<ToolKeys>,
+    /// The second of two tools on one blade, for `pinch`; keys that are left out are those of `[tool]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tool_2: Option<ToolKeys>,
     /// What else is in the tool's way; entries of a list.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fixture: Option<Vec<FixtureKeys>>,
@@ -77,7 +80,7 @@ impl JobFile {
     /// The files that it names, as typed: the model first.
     pub(crate) fn files_mut(&mut self) -> impl Iterator<Item = &mut String> {
         let model = self.model.iter_mut().filter_map(|m| m.file.as_mut());
-        let library = self.tool.iter_mut().filter_map(|t| t.library.as_mut());
+        let library = self.tool.iter_mut().chain(&mut self.tool_2).filter_map(|t| t.library.as_mut());
         let bodies = self.fixture.iter_mut().flatten().chain(&mut self.stock).filter_map(|f| f.file.as_mut());
         let machine = self.machine.iter_mut().filter_map(|m| m.file.as_mut());
         let posts = self.post.iter_mut().flat_map(|p| p.files.iter_mut().flatten());

@@ -26,10 +26,16 @@ impl Setup {
     /// # Errors
     /// Kind `Usage`: an empty or damaged mesh.
     pub fn surroundings(&self) -> Result<Surroundings<'_>> {
-        if self.job.channel.exact_ends {
-            return self.finer_surroundings();
-        }
-        Surroundings::new(&self.blade, &self.obstacles, self.job.tool.radius_mm)
+        self.surroundings_of(self.job.tool.radius_mm)
+    }
+
+    /// The same for a ball of this radius, mm.
+    ///
+    /// # Errors
+    /// As [`Setup::surroundings`].
+    pub fn surroundings_of(&self, radius_mm: f64) -> Result<Surroundings<'_>> {
+        let around = Surroundings::new(&self.blade, &self.obstacles, radius_mm)?;
+        Ok(if self.job.channel.exact_ends { around.finer(radius_mm) } else { around })
     }
 
     /// The same with a finer index of exact faces, for ends of the channel that are theirs.

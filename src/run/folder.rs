@@ -33,7 +33,7 @@ const RUN: [&str; 14] = [
 ];
 
 /// Files of `compare`, `channel` and `pinch`, which look at a job without planning it to the end.
-const STUDIES: [&str; 17] = [
+const STUDIES: [&str; 22] = [
     "compare.json",
     "compare.csv",
     "compare.svg",
@@ -50,6 +50,11 @@ const STUDIES: [&str; 17] = [
     "pinch_axes.csv",
     "pinch.svg",
     "pinch.ngc",
+    "pinch.mpf",
+    "pinch_ch1.mpf",
+    "pinch_ch2.mpf",
+    "pinch.iso.nc",
+    "pinch.nc",
     "pinch.glb",
 ];
 

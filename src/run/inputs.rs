@@ -124,20 +124,23 @@ pub fn typed(input: &Path) -> Result<(JobFile, &Path)> {
 /// tool is not in it.
 pub fn draft(mut typed: JobFile, base_dir: &Path) -> Result<Draft> {
     if let Some(keys) = &mut typed.tool {
-        from_library(keys, base_dir)?;
+        from_library(keys, base_dir, "tool")?;
+    }
+    if let Some(keys) = &mut typed.tool_2 {
+        from_library(keys, base_dir, "tool_2")?;
     }
     job::resolve(typed, base_dir)
 }
 
-/// Puts the tool of a library where keys are left out.
-fn from_library(keys: &mut ToolKeys, base_dir: &Path) -> Result<()> {
+/// Puts the tool of a library where keys of a section are left out.
+fn from_library(keys: &mut ToolKeys, base_dir: &Path, section: &str) -> Result<()> {
     let (entry, unit) = (keys.entry.take().map(|e| e.to_string()), keys.unit.take());
     let Some(file) = keys.library.take() else {
-        let left = [(entry.is_some(), "tool.entry"), (unit.is_some(), "tool.unit")];
+        let left = [(entry.is_some(), "entry"), (unit.is_some(), "unit")];
         return match left.iter().find(|(given, _)| *given) {
             None => Ok(()),
-            Some((_, key)) => Err(Error::usage(Stage::Job, format!("{key} is given, but no library"))
-                .advise("name the tool library with tool.library")),
+            Some((_, key)) => Err(Error::usage(Stage::Job, format!("{section}.{key} is given, but no library"))
+                .advise(format!("name the tool library with {section}.library"))),
         };
     };
     let path = base_dir.join(&file);
@@ -216,7 +219,7 @@ mod tests {
         std::fs::write(dir.path().join("t.tools"), [0x50, 0x4b, 0x03, 0xff]).unwrap();
         let filled = |text: &str| {
             let mut keys = toml::from_str::<ToolKeys>(text).unwrap();
-            from_library(&mut keys, dir.path()).map(|()| keys)
+            from_library(&mut keys, dir.path(), "tool").map(|()| keys)
         };
         let keys = filled("library = \"t.json\"\nentry = 12\nstickout_mm = 35").unwrap();
         let of = (keys.radius_mm, keys.taper_deg, keys.shank_radius_mm, keys.stickout_mm);

@@ -8,7 +8,7 @@ use crate::artifact::report::Check;
 use crate::artifact::{PairedRows, Stand};
 use crate::error::Result;
 use crate::plan::Setup;
-use crate::plan::pinch::{Pinch, PinchProgrammed};
+use crate::plan::pinch::{Pinch, PinchPosted, PinchProgrammed};
 use crate::verify::PinchFigures;
 use crate::write::draw::{HeldAngles, held_svg};
 use crate::write::preview::{self, PinchKey, PinchScene};
@@ -23,6 +23,8 @@ const LINK_S: f64 = 1.0;
 pub struct PinchSummary {
     /// Name of the blade.
     pub name: String,
+    /// Ball radii of both tools.
+    pub radius_mm: [f64; 2],
     /// Rows.
     pub rows: usize,
     /// Those along which the table does not turn.
@@ -58,16 +60,29 @@ pub struct PinchSummary {
     pub program: Option<ProgramSummary>,
 }
 
-/// The program of two tools in figures.
+/// The programs of two tools in figures.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct ProgramSummary {
     /// Time that both tools cut, s.
     pub cutting_s: f64,
     /// Time that each tool would take for its side alone, s.
     pub alone_s: [f64; 2],
-    /// Lines of the program.
+    /// The checks of the motion.
+    pub checks: Vec<Check>,
+    /// The programs.
+    pub programs: Vec<PostedSummary>,
+}
+
+/// The program for a control in figures.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct PostedSummary {
+    /// The control, or the post file.
+    pub control: String,
+    /// Its files: two for two channels.
+    pub files: Vec<String>,
+    /// Lines of all files.
     pub lines: usize,
-    /// The checks of motion and program.
+    /// What reading them back found.
     pub checks: Vec<Check>,
 }
 
@@ -79,6 +94,7 @@ pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed
     let area = airfoil_mm2(setup);
     PinchSummary {
         name: setup.blade.name.clone(),
+        radius_mm: pinch.rows.radius_mm,
         rows: pinch.rows.rows.len(),
         still_rows: pinch.still_rows(),
         stretches: pinch.held.len(),
@@ -97,9 +113,18 @@ pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed
         program: programmed.map(|p| ProgramSummary {
             cutting_s: p.motion.cutting_s,
             alone_s: p.motion.alone_s,
-            lines: p.text.lines().count(),
             checks: p.checks.clone(),
+            programs: p.programs.iter().map(posted).collect(),
         }),
+    }
+}
+
+fn posted(p: &PinchPosted) -> PostedSummary {
+    PostedSummary {
+        control: p.control.clone(),
+        files: p.files.iter().map(|f| f.name.clone()).collect(),
+        lines: p.files.iter().map(|f| f.text.lines().count()).sum(),
+        checks: p.checks.clone(),
     }
 }
 
@@ -262,7 +287,7 @@ pub fn scene(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>) -> Resu
         let over = |p: &PairPlace| p.contacts[j].contact + p.contacts[j].normal * (0.004 * pinch.rows.radius_mm[j]);
         pinch.rows.rows.iter().map(|row| pinch.rows.places[row.clone()].iter().map(over).collect()).collect()
     });
-    let usual_mm = 4.0 * setup.job.tool.radius_mm;
+    let usual_mm = setup.pinch_tools().map(|t| 4.0 * t.radius_mm);
     let every = pinch.rows.places.len().div_ceil(MOST_KEYS).max(1);
     let (mut keys, mut t_s) = (Vec::new(), 0.0);
     for (n, held) in pinch.held.iter().enumerate() {
@@ -274,7 +299,7 @@ pub fn scene(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>) -> Resu
                 Stand { centre, cone: cones[j], theta }.lifted(lifts_mm[j])
             })
         };
-        let lifts_mm = own.map_or([[usual_mm; 2]; 2], |m| m.lifts_mm);
+        let lifts_mm = own.map_or([usual_mm; 2], |m| m.lifts_mm);
         let last = held.places.end - 1;
         keys.push(PinchKey { t_s, stands: stand(held.places.start, lifts_mm[0]) });
         t_s += LINK_S;
@@ -303,7 +328,7 @@ pub fn scene(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>) -> Resu
         mesh,
         areas: &areas,
         model_from_blade: &setup.blade.model_from_blade,
-        tools: [&setup.job.tool; 2],
+        tools: setup.pinch_tools(),
         rows,
         keys: &keys,
     })

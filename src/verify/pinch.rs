@@ -277,12 +277,13 @@ fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Ch
 }
 
 /// A ball, or the frustum of a cone, where it stands.
-enum Solid {
+pub(super) enum Solid {
     Ball { centre: Point, radius_mm: f64 },
     Frustum { ends: [Point; 2], radii_mm: [f64; 2], axis: Vector },
 }
 
-fn solids(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Vector) -> Vec<Solid> {
+/// The pieces of a tool that stands somewhere, its ball first.
+pub(super) fn solids(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Vector) -> Vec<Solid> {
     let frustum = |s: &Segment| Solid::Frustum {
         ends: [s.z0, s.z1].map(|z| centre + axis * z),
         radii_mm: [s.r0, s.r1],
@@ -293,7 +294,7 @@ fn solids(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Vector) -
 
 impl Solid {
     /// The point farthest along a direction.
-    fn farthest(&self, along: &Vector) -> Point {
+    pub(super) fn farthest(&self, along: &Vector) -> Point {
         match self {
             Solid::Ball { centre, radius_mm } => centre + along.try_normalize(1e-300).unwrap_or_default() * *radius_mm,
             Solid::Frustum { ends, radii_mm, axis } => {
@@ -311,13 +312,13 @@ impl Solid {
     }
 
     /// The direction from the middle of another to that of this one.
-    fn between(&self, other: &Solid) -> Option<Vector> {
+    pub(super) fn between(&self, other: &Solid) -> Option<Vector> {
         (self.middle() - other.middle()).try_normalize(1e-9)
     }
 
     /// The direction from another to this one along which both are farthest apart; `None` where
     /// they meet.
-    fn towards(&self, other: &Solid) -> Option<Vector> {
+    pub(super) fn towards(&self, other: &Solid) -> Option<Vector> {
         let start = self.between(other)?;
         let mut simplex = VoronoiSimplex::new();
         let still = Pose::default();

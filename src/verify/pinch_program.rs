@@ -1,18 +1,20 @@
 //! A program of two tools, read back line by line and moved through the machine.
 //!
-//! The reader is apart from the writer: it knows the words of such a program, and refuses every
-//! other. What counts is where both tools stand after each line.
+//! What counts is where both tools stand after each line. Two programs for two channels are read
+//! together as their wait marks lead them ([`channels`]).
 
 use std::ops::Range;
 
 use super::clearance::{Track, kept};
 use super::options::VerifyOptions;
 use super::pinch::PinchWork;
+use super::pinch_channels as channels;
+use super::pinch_read::{Line, Read, read};
 use super::sweep::Sweep;
 use super::{apart, gouge};
 use crate::artifact::paired::PinchMotion;
 use crate::artifact::report::Check;
-use crate::artifact::{Axes, AxisCheck, CheckId, PartAmong, Stand};
+use crate::artifact::{AxisCheck, CheckId, PartAmong, Stand};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
@@ -20,7 +22,7 @@ use crate::numerics::angle::nearest_turn;
 use crate::tool::{Tool, lowest_mm};
 
 /// Ball centres may lie so far from their places, mm.
-const CENTRE_MM: f64 = 0.001;
+pub(super) const CENTRE_MM: f64 = 0.001;
 /// Tool axes may be turned so far, degrees.
 const AXIS_DEG: f64 = 0.001;
 /// A line that brings both balls this near to a place is that place's, mm.
@@ -32,79 +34,50 @@ const LIMIT_SHARE: f64 = 1e-6;
 /// Positions this far beyond a travel are rounding, mm and degrees.
 const ROUNDING: f64 = 1e-5;
 
-/// What a line does.
-#[derive(Clone, Debug, PartialEq)]
-struct Line {
-    number: usize,
-    is_rapid: bool,
-    /// Time that it asks for, s; `None`: it has a feed or is a rapid.
-    seconds: Option<f64>,
-    /// Where all axes stand behind it, mm and rad; those not yet named are not numbers.
-    at: Axes,
+/// What a program of two tools was asked for, beside its places.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PinchAsked {
+    /// The time that its stretches should take, s.
+    pub cutting_s: f64,
+    /// Speeds of both spindles, 1/min.
+    pub spindle_rpm: [f64; 2],
+    /// How far the control may leave the lines, mm.
+    pub tolerance_mm: f64,
 }
 
-/// Reads a program; the text of the first line that cannot be read in its place.
-fn read(text: &str, machine: &Machine) -> Result<Vec<Line>, (usize, String)> {
-    let axes = machine.axes();
-    let mut at = Axes::from_fn(axes.len(), |_| f64::NAN);
-    let (mut rapid, mut inverse, mut out) = (true, false, Vec::new());
-    for (number, line) in (1..).zip(text.lines()) {
-        let code = line.split([';', '(']).next().unwrap_or_default().trim();
-        if code.is_empty() || code == "%" {
-            continue;
-        }
-        let wrong = |what: &str| (number, format!("{what} in `{}`", line.chars().take(80).collect::<String>()));
-        let (mut moves, mut feed) = (false, None);
-        for word in code.split_whitespace() {
-            let mut rest = word.chars();
-            let letter = rest.next().unwrap_or(' ');
-            let value: f64 = rest.as_str().parse().map_err(|_| wrong("a word without a number"))?;
-            match letter {
-                'G' if value == 0.0 => rapid = true,
-                'G' if value == 1.0 => rapid = false,
-                'G' if value == 93.0 => inverse = true,
-                'G' if value == 94.0 => inverse = false,
-                'G' if [17.0, 21.0, 40.0, 49.0, 53.0, 54.0, 64.0, 80.0, 90.0].contains(&value) => {}
-                'M' if [2.0, 3.0, 4.0, 5.0, 8.0, 9.0].contains(&value) => {}
-                'S' | 'P' | '$' => {}
-                'F' => feed = Some(value),
-                _ => {
-                    let Some(k) = axes.iter().position(|a| a.name.len() == 1 && a.name.starts_with(letter)) else {
-                        return Err(wrong(&format!("the word {letter}")));
-                    };
-                    let value = value / axes[k].word_per_mm();
-                    at[k] = if axes[k].is_rotary() { value.to_radians() } else { value };
-                    moves = true;
-                }
-            }
-        }
-        if !moves {
-            continue;
-        }
-        let seconds = match (rapid, inverse, feed) {
-            (false, true, Some(f)) if f > 0.0 => Some(60.0 / f),
-            (false, true, _) => return Err(wrong("G93 asks for F over 0 on each line")),
-            _ => None,
-        };
-        out.push(Line { number, is_rapid: rapid, seconds, at });
-    }
-    Ok(out)
-}
-
-/// Judges the text of a program of two tools; `cutting_s`: the time that its stretches should take.
+/// Judges the text of a program of two tools: one, or one for each of two channels.
 pub fn check_pinch_program(
-    text: &str,
+    texts: &[&str],
     work: &PinchWork,
     machine: &Machine,
-    cutting_s: f64,
+    asked: &PinchAsked,
     options: &VerifyOptions,
 ) -> Vec<Check> {
-    let lines = match read(text, machine) {
-        Ok(lines) => lines,
-        Err((number, what)) => {
-            let note = format!("line {number}: {what}");
-            return vec![Check::at_most(CheckId::ProgramReadable, "lines that cannot be read", 1.0, 0.0, "", note)];
+    let is_two = texts.len() == 2;
+    let mut programs = Vec::with_capacity(texts.len());
+    for (k, text) in texts.iter().enumerate() {
+        let program = read(text, machine, is_two.then_some(k)).and_then(|p| match p.marks.first() {
+            Some(mark) if !is_two => Err((mark.line, "it waits for another channel".into())),
+            _ => Ok(p),
+        });
+        match program {
+            Ok(program) => programs.push(program),
+            Err((number, what)) => {
+                let of = if is_two { format!(" of channel {}", k + 1) } else { String::new() };
+                let note = format!("line {number}{of}: {what}");
+                return vec![Check::at_most(CheckId::ProgramReadable, "lines that cannot be read", 1.0, 0.0, "", note)];
+            }
         }
+    }
+    let mut checks = set(&programs, asked);
+    let lines = match &programs[..] {
+        [one, two] => {
+            let met = channels::meet([one, two], work, machine);
+            checks.extend(met.checks);
+            let Some(lines) = met.lines else { return checks };
+            lines
+        }
+        _ => programs.iter().flat_map(|p| p.parts.iter().flatten().cloned()).collect(),
     };
     let gauges = work.tools.map(Tool::length_mm);
     let poses: Vec<Option<[Pose; 2]>> = lines
@@ -116,11 +89,47 @@ pub fn check_pinch_program(
         })
         .collect();
     let found = matched(work, &lines, &poses);
-    let mut checks = found.checks(&lines, cutting_s);
+    checks.extend(found.checks(&lines, asked.cutting_s));
     checks.push(rapids(work, &lines, &poses, turning_mm(work, machine)));
     checks.push(travels(&lines, machine));
     checks.extend(ways(work, &poses, &found, options));
+    if is_two && found.missing == 0 {
+        checks.push(channels::rendezvous(work, &lines, &poses, &found.stretches));
+        checks.push(channels::lagging(work, &poses, &found.stretches));
+    }
     checks
+}
+
+/// What a program sets before it cuts, and that it ends.
+fn set(programs: &[Read], asked: &PinchAsked) -> Vec<Check> {
+    let unset: Vec<&str> = programs.iter().flat_map(|p| p.unset.iter().copied()).collect();
+    // In two channels each has the spindle of its own tool.
+    let spindles =
+        [0, 1].map(|k| programs.get(k).or(programs.first()).map_or_else(Default::default, |p| p.spindles[k]));
+    let wrong = |k: &usize| !spindles[*k].turns || (spindles[*k].rpm - asked.spindle_rpm[*k]).abs() > 1e-6;
+    let wrong: Vec<String> = (0..2)
+        .filter(wrong)
+        .map(|k| match spindles[k] {
+            s if !s.turns => format!("spindle {} stands", k + 1),
+            s => format!("spindle {} turns at {}, asked for {}", k + 1, s.rpm, asked.spindle_rpm[k]),
+        })
+        .collect();
+    let tolerance_mm = programs.iter().filter_map(|p| p.tolerance_mm).fold(0.0, f64::max);
+    let open = programs.iter().filter(|p| !p.ends).count();
+    let count = |id, quantity, n: usize, note| Check::at_most(id, quantity, n as f64, 0.0, "", note);
+    vec![
+        count(CheckId::ProgramFrame, "what is not set before the tools cut", unset.len(), unset.join(", ")),
+        count(CheckId::ProgramSpindle, "spindles that do not turn as asked for", wrong.len(), wrong.join(", ")),
+        Check::at_most(
+            CheckId::ProgramSmoothing,
+            "how far the control may leave the lines",
+            tolerance_mm,
+            asked.tolerance_mm,
+            "mm",
+            String::new(),
+        ),
+        count(CheckId::ProgramEnd, "programs without an end", open, String::new()),
+    ]
 }
 
 /// Which lines are whose.
@@ -201,12 +210,12 @@ fn matched(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>]) -> Mat
 
 impl Matched {
     fn checks(&self, lines: &[Line], cutting_s: f64) -> Vec<Check> {
-        let number = |i: usize| lines.get(i).map_or(0, |l| l.number);
+        let named = |i: usize| lines.get(i).map_or_else(String::new, Line::named);
         let left = match self.first_missing {
             Some((stretch, place)) => format!("the first is place {place} of stretch {}", stretch + 1),
             None => format!("{} places", self.places),
         };
-        let stray = self.strays.first().map_or_else(String::new, |i| format!("the first is line {}", number(*i)));
+        let stray = self.strays.first().map_or_else(String::new, |i| format!("the first is {}", named(*i)));
         let off = if cutting_s > 0.0 { (self.seconds / cutting_s - 1.0).abs() } else { 0.0 };
         vec![
             Check::at_most(
@@ -231,7 +240,7 @@ impl Matched {
                 self.centre_mm.0,
                 CENTRE_MM,
                 "mm",
-                format!("line {}", number(self.centre_mm.1)),
+                named(self.centre_mm.1),
             ),
             Check::at_most(
                 CheckId::ProgramDirection,
@@ -239,7 +248,7 @@ impl Matched {
                 self.axis_deg.0,
                 AXIS_DEG,
                 "deg",
-                format!("line {}", number(self.axis_deg.1)),
+                named(self.axis_deg.1),
             ),
             Check::at_most(
                 CheckId::ProgramTime,
@@ -271,14 +280,14 @@ fn turning_mm(work: &PinchWork, machine: &Machine) -> f64 {
 /// In rapids both tools stay over what the part turns in: axes that go straight keep a tool over a
 /// plane that it is over at both ends, and the part turns under that plane.
 fn rapids(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>], turning_mm: f64) -> Check {
-    let (mut least, mut at) = (f64::INFINITY, 0);
+    let (mut least, mut at) = (f64::INFINITY, None);
     for i in (0..lines.len()).filter(|i| lines[*i].is_rapid) {
         let ends = [i.checked_sub(1).and_then(|b| poses[b]), poses[i]];
         for pose in ends.into_iter().flatten() {
             for j in 0..2 {
                 let height = height_mm(work.tools[j], &pose[j]);
                 if height < least {
-                    (least, at) = (height, lines[i].number);
+                    (least, at) = (height, Some(i));
                 }
             }
         }
@@ -292,7 +301,7 @@ fn rapids(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>], turning
             least,
             turning_mm,
             "mm",
-            format!("line {at}; the part turns within {turning_mm:.3} mm"),
+            format!("{}; the part turns within {turning_mm:.3} mm", at.map_or_else(String::new, |i| lines[i].named())),
         )
     }
 }
@@ -304,7 +313,7 @@ fn travels(lines: &[Line], machine: &Machine) -> Check {
             let Some([least, most]) = axis.limits.travel else { continue };
             let beyond = axis.shown((least - at).max(at - most));
             if beyond > worst {
-                (worst, where_) = (beyond, format!("{} in line {}", axis.name, l.number));
+                (worst, where_) = (beyond, format!("{} in {}", axis.name, l.named()));
             }
         }
     }

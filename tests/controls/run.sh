@@ -21,9 +21,11 @@ mkdir -p $out
 for control in siemens siemens-vector siemens-poly linuxcnc linuxcnc-feed; do
     "$bladewright" --quiet post "$examples/steam_root" $out/fillet --control $control -o $out/joined
 done
-# Two tools on one blade: nine letters.
+# Two tools on one blade: nine letters, and two channels.
 "$bladewright" --quiet pinch models/turbine_camber.step -o $out/pinch --set machine.file=models/machines/pinch_9x.toml --set tool.radius_mm=2 \
     --set path.scallop_mm=0.02 > $out-pinch.log 2>&1 || { cat $out-pinch.log; exit 1; }
+"$bladewright" --quiet pinch models/turbine_camber.step -o $out/pinch_channels --set machine.file=models/machines/pinch_9x.toml --set tool.radius_mm=2 \
+    --set path.scallop_mm=0.02 --set pinch.channels=2 --set 'post.control=["siemens"]' > $out-pinch.log 2>&1 || { cat $out-pinch.log; exit 1; }
 # Each reader is one thread.
 python3 tests/controls/rs274.py "$examples"/*/*.ngc $out/*/*.ngc > $out-rs274.log 2>&1 &
 rs274=$!

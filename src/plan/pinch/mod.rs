@@ -1,10 +1,11 @@
 //! Two tools on one blade: rows of opposite places, the table's angles that are free for both, and
 //! one at which it stands still for each row.
 //!
-//! **In** a [`Setup`]; both tools are its tool. **Out** [`Pinch`], judged. **Method** Rows
-//! ([`pairs`]); the free angles of each tool at all their places ([`channel::intervals`]),
-//! tool 2's turned back by the angle between the heads, and what both have; an angle for each row
-//! ([`pair::hold`]); checks that use none of these ([`verify::check_pinch`]).
+//! **In** a [`Setup`]: its tool, and its second where the job has one. **Out** [`Pinch`], judged.
+//! **Method** Rows ([`pairs`]); the free angles of each tool at all their places
+//! ([`channel::intervals`]), tool 2's turned back by the angle between the heads, and what both
+//! have; an angle for each row ([`pair::hold`]); checks that use none of these
+//! ([`verify::check_pinch`]).
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
@@ -20,8 +21,10 @@ use crate::numerics::runs::longest;
 use crate::observe::{Observer, timed};
 use crate::pair::{self, Both, FreeAngles, Held, HoldOptions, PinchSettings};
 use crate::path::pairs::{self, PairOptions};
-use crate::verify::{self, PinchFigures, PinchWork};
-use crate::write::post::{self, pinch::PinchProgram};
+use crate::tool::Tool;
+use crate::verify::{self, PinchAsked, PinchFigures, PinchWork};
+use crate::write::post::pinch::{PinchFile, PinchProgram};
+use crate::write::post::{self, Dialect};
 
 /// Angles between heads that differ by less are the same, rad.
 const SAME_RAD: f64 = 1e-6;
@@ -50,13 +53,30 @@ pub struct Pinch {
     pub figures: PinchFigures,
 }
 
-/// The motion and the program of rows of two tools.
+/// The motion and the programs of rows of two tools.
 pub struct PinchProgrammed {
     /// The motion.
     pub motion: PinchMotion,
-    /// The program's text.
-    pub text: String,
-    /// What was checked of both.
+    /// What was checked of it.
+    pub checks: Vec<Check>,
+    /// The programs, in the order of the job's controls.
+    pub programs: Vec<PinchPosted>,
+}
+
+impl PinchProgrammed {
+    /// All checks, of the motion and of all programs.
+    pub fn all_checks(&self) -> impl Iterator<Item = &Check> {
+        self.checks.iter().chain(self.programs.iter().flat_map(|p| &p.checks))
+    }
+}
+
+/// A program of two tools for a control.
+pub struct PinchPosted {
+    /// The control, as the job names it, or the post file.
+    pub control: String,
+    /// Its file, or those of both channels.
+    pub files: Vec<PinchFile>,
+    /// What reading it back found.
     pub checks: Vec<Check>,
 }
 
@@ -105,12 +125,12 @@ impl Setup {
     /// angle of the table is free for both tools.
     pub fn pinch(&self, observer: &dyn Observer) -> Result<Pinch> {
         let (job, asked) = (&self.job, self.pinch_settings());
-        job.tool.ball_only("rows for two tools are planned")?;
+        let tools = self.pinch_tools();
+        tools.into_iter().try_for_each(|t| t.ball_only("rows for two tools are planned"))?;
         if !job.orientation.kind.goes_round() {
             return Err(Error::usage(Stage::Job, "two tools share the turning of the blade: each keeps one lean")
                 .advise("leave out orientation.kind"));
         }
-        let tools = [&job.tool; 2];
         let options = PairOptions {
             settings: job.path.clone(),
             radius_mm: tools.map(|t| t.radius_mm),
@@ -122,9 +142,12 @@ impl Setup {
         let cones = self.pinch_cones();
         let between_rad = self.between_heads(&asked)?;
         let own = timed(observer, Stage::Channel, || {
-            // Both are of one radius: one index serves them.
+            // One index serves balls of one radius.
             let around = self.surroundings()?;
-            let free = |tool: usize| self.free_angles(&around, &rows, (tool, cones[tool]), observer);
+            let is_same = tools[0].radius_mm == tools[1].radius_mm;
+            let other = if is_same { None } else { Some(self.surroundings_of(tools[1].radius_mm)?) };
+            let around = [&around, other.as_ref().unwrap_or(&around)];
+            let free = |tool: usize| self.free_angles(around[tool], &rows, (tool, cones[tool]), observer);
             let second = free(1)?.into_iter().map(|f| f.turned(-between_rad)).collect();
             Ok([free(0)?, second])
         })?;
@@ -164,28 +187,94 @@ impl Setup {
         Ok(pinch)
     }
 
-    /// The motion of a machine with two heads and its program, judged: `None` where it has one.
+    /// Both tools.
+    pub fn pinch_tools(&self) -> [&Tool; 2] {
+        [&self.job.tool, self.job.tool_2.as_ref().unwrap_or(&self.job.tool)]
+    }
+
+    /// Speeds of both spindles, 1/min.
+    pub fn pinch_spindles_rpm(&self) -> [f64; 2] {
+        let first = self.job.post.spindle_rpm;
+        [first, self.pinch_settings().spindle_2_rpm.unwrap_or(first)]
+    }
+
+    /// The controls that get programs of two tools; none on a machine with one head.
     ///
     /// # Errors
-    /// Those of [`motion()`].
+    /// Kind `Usage` where a control has no such programs, or two would have the same file.
+    pub fn pinch_dialects(&self) -> Result<Vec<(String, Dialect)>> {
+        if !self.machine.has_two_heads() {
+            return Ok(Vec::new());
+        }
+        let (dialects, channels) = (self.dialects()?, self.pinch_settings().channels);
+        let mut files: Vec<(&str, &str)> = Vec::with_capacity(dialects.len());
+        for (name, dialect) in &dialects {
+            let file = &post::pinch::pinch_text(dialect, &self.machine, channels)?.file;
+            if let Some((other, _)) = files.iter().find(|(_, f)| f == file) {
+                return Err(Error::usage(Stage::Post, format!("{other} and {name} would both write {file}"))
+                    .advise("give the section pinch of the post file another `file`, or leave one of the two out"));
+            }
+            files.push((name, file));
+        }
+        Ok(dialects)
+    }
+
+    /// The motion of a machine with two heads and its programs, judged: `None` where it has one.
+    ///
+    /// # Errors
+    /// Those of [`Setup::pinch_dialects`], [`motion()`] and [`post::pinch::pinch_programs`].
     pub fn pinch_program(&self, pinch: &Pinch, observer: &dyn Observer) -> Result<Option<PinchProgrammed>> {
+        let (dialects, channels) = (self.pinch_dialects()?, self.pinch_settings().channels);
         let Some(motion) = timed(observer, Stage::Feed, || motion(self, pinch, observer))? else { return Ok(None) };
-        let file = self.job.model.file.file_name().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default();
-        let text = post::pinch::pinch_program(&PinchProgram {
-            name: &self.blade.name,
-            part_file: &file,
-            part_hash: &self.part_hash,
-            machine: &self.machine,
-            motion: &motion,
-            settings: &self.job.post,
-            to_tip_mm: self.job.tool.length_mm() + self.job.tool.radius_mm,
+        let checks = verify::check_pinch_motion(&motion, &self.machine);
+        let posted = dialects.into_iter().map(|(control, dialect)| {
+            let files = self.pinch_files(&dialect, &motion, channels)?;
+            let checks = self.read_back_pinch(&dialect, &files, pinch, &motion);
+            Ok(PinchPosted { control, files, checks })
         });
-        let mut checks = verify::check_pinch_motion(&motion, &self.machine);
+        let programs = posted.collect::<Result<_>>()?;
+        Ok(Some(PinchProgrammed { motion, checks, programs }))
+    }
+
+    /// The programs of a motion in a dialect, for so many channels.
+    ///
+    /// # Errors
+    /// Those of [`post::pinch::pinch_programs`].
+    pub fn pinch_files(&self, dialect: &Dialect, motion: &PinchMotion, channels: u32) -> Result<Vec<PinchFile>> {
+        let options = self.post_options();
+        post::pinch::pinch_programs(
+            dialect,
+            &PinchProgram {
+                name: &options.program_name,
+                part_file: &options.part_file,
+                part_hash: &options.part_hash,
+                machine: &self.machine,
+                motion,
+                settings: &options.settings,
+                tools: self.pinch_tools(),
+                spindle_rpm: self.pinch_spindles_rpm(),
+                channels,
+            },
+        )
+    }
+
+    /// What reading the programs of a control back finds.
+    pub fn read_back_pinch(
+        &self,
+        dialect: &Dialect,
+        files: &[PinchFile],
+        pinch: &Pinch,
+        motion: &PinchMotion,
+    ) -> Vec<Check> {
+        let texts: Vec<&str> = files.iter().map(|f| f.text.as_str()).collect();
         let stretches = pinch.stretches();
         let work = self.pinch_work(pinch, &stretches);
-        let options = self.verify_options();
-        checks.extend(verify::check_pinch_program(&text, &work, &self.machine, motion.cutting_s, &options));
-        Ok(Some(PinchProgrammed { motion, text, checks }))
+        let asked = PinchAsked {
+            cutting_s: motion.cutting_s,
+            spindle_rpm: self.pinch_spindles_rpm(),
+            tolerance_mm: post::pinch::tolerance_mm(dialect, &self.job.post),
+        };
+        verify::check_pinch_program(&texts, &work, &self.machine, &asked, &self.verify_options())
     }
 
     /// What the checks look at.
@@ -194,7 +283,7 @@ impl Setup {
         PinchWork {
             blade: &self.blade,
             obstacles: &self.obstacles,
-            tools: [&self.job.tool; 2],
+            tools: self.pinch_tools(),
             cones: self.pinch_cones(),
             between_rad: pinch.between_rad,
             rows: &pinch.rows,
@@ -236,7 +325,7 @@ impl Setup {
         // The second head's angle is not the table's.
         let theta_limits_rad = usual.theta_limits_rad.filter(|_| side == 0);
         let options = ChannelOptions { sweep: Sweep::Swing, travel: Vec::new(), theta_limits_rad, ..usual };
-        let found = channel::intervals(around, &self.job.tool, &path, &options, observer)?;
+        let found = channel::intervals(around, self.pinch_tools()[side], &path, &options, observer)?;
         Ok(found.iter().map(|free| FreeAngles::of(free.iter().map(|f| [f.theta_min, f.theta_max]))).collect())
     }
 }

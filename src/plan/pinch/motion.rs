@@ -35,7 +35,7 @@ pub fn motion(setup: &Setup, pinch: &Pinch, observer: &dyn Observer) -> Result<O
         return Ok(None);
     }
     let leans = setup.pinch_cones().map(|c| c.lean_rad);
-    let gauges = [setup.job.tool.length_mm(); 2];
+    let gauges = setup.pinch_tools().map(|t| t.length_mm());
     // Two heads share a table.
     let turning_mm = machine.turns_within_mm(&setup.part_among()).unwrap_or(f64::INFINITY);
     let options = setup.feed_options();
@@ -135,7 +135,7 @@ fn lifted(
     let lifted = [0, 1].map(|j| {
         let theta = theta_rad + if j == 0 { 0.0 } else { between_rad };
         let (axis, out) = (cones[j].tool_axis(theta), Vector::new(0.0, theta.cos(), theta.sin()));
-        let tool = &setup.job.tool;
+        let tool = setup.pinch_tools()[j];
         let height = lowest_mm(&tool.segments(), tool.radius_mm, &centres[j], &axis, &out);
         lifts[j] = ((turning_mm + ROOM_MM - height) / leans[j].cos()).max(0.0);
         centres[j] + axis * lifts[j]

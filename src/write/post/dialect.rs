@@ -22,12 +22,15 @@
 //! `[ranges]` is what the control reads in its words: the writer keeps within it, or says where it
 //! cannot, and the program's text is held against it once more when it is read back.
 //!
+//! `[pinch]` and `[pinch_channels]` are the lines of programs of two tools: [`PinchText`].
+//!
 //! With `poly_degree` cuts are polynomials, `{px}` to `{pb}`, or spline lines of degree 3, `{kx}`
 //! to `{ka}`: see [`super::polynomial`].
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::pinch::PinchText;
 use super::template::{TemplateLine, lines};
 use crate::artifact::program::{Control, Grammar, Language, Programmed, Ranges, WordRange};
 use crate::error::{Error, Result, Stage};
@@ -234,6 +237,12 @@ pub struct PostFile {
     pub curve: Option<CurveNumbers>,
     /// The program.
     pub text: Text,
+    /// Programs of two tools on one blade, all axes of both heads in one channel; without it there are none.
+    #[serde(default)]
+    pub pinch: Option<PinchText>,
+    /// The same in two channels, a program for each.
+    #[serde(default)]
+    pub pinch_channels: Option<PinchText>,
 }
 
 impl PostFile {
@@ -487,6 +496,13 @@ impl PostFile {
         }
         if self.text.cut.is_empty() {
             return no("text.cut must have at least one line");
+        }
+        let two = [("pinch", &self.pinch), ("pinch_channels", &self.pinch_channels)];
+        if let Some(what) = two.into_iter().find_map(|(name, text)| text.as_ref()?.wrong(name)) {
+            return no(&what);
+        }
+        if self.grammar != Grammar::Gcode && two.iter().any(|(_, text)| text.is_some()) {
+            return no("pinch and pinch_channels need grammar = \"gcode\"");
         }
         let cut = self.text.cut.concat();
         let polynomial = ["{px}", "{py}", "{pz}"].map(|key| cut.contains(key));
