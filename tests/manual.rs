@@ -128,6 +128,7 @@ macro_rules! sessions {
 sessions! {
     readme_runs_as_printed: "README.md", then gains_what_the_readme_says;
     checking_runs_as_printed: "docs/checking.md";
+    cutters_run_as_printed: "docs/cutters.md";
     families_run_as_printed: "docs/families.md";
     installing_runs_as_printed: "docs/install.md";
     machines_run_as_printed: "docs/machines.md";

@@ -10,9 +10,9 @@
 //!   about that centre, with the room added to the clearance. So a wall lies at most twice that
 //!   room inside the one that is asked for.
 //! * The disc itself: on hollow ground its back cuts where the axis leans too little. It is
-//!   looked at at angles [`LOOK_RAD`] apart at most, and the ends of what is clear are halved to the
-//!   tolerance. What lies between these angles is a matter of the checks, which follow the whole
-//!   motion.
+//!   looked at where angles are [`LOOK_RAD`] apart at most, and the ends of what is clear are halved
+//!   to the tolerance. What lies between these angles is a matter of the checks, which follow the
+//!   whole motion.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -56,6 +56,8 @@ struct Scene<'a> {
     tool: &'a Tool,
     options: &'a ChannelOptions,
     stock_mm: f64,
+    /// What places between locations may lie off the path, mm.
+    chord_mm: f64,
 }
 
 /// θ from and to, rad.
@@ -69,7 +71,7 @@ pub(super) fn layers(
     (samples, path): (&[Sample], &Toolpath),
     observer: &dyn Observer,
 ) -> Result<Vec<Vec<Free>>> {
-    let scene = Scene { around, tool, options, stock_mm: path.stock_mm };
+    let scene = Scene { around, tool, options, stock_mm: path.stock_mm, chord_mm: path.chord_mm };
     let windows = scene.windows(samples);
     let clear_of_tool = scene.clear_of_tool(samples, &windows, observer)?;
     let chunks = samples.len().div_ceil(CHUNK);
@@ -91,7 +93,7 @@ pub(super) fn closed(
     (reporter, at): (&Reporter, usize),
 ) -> Option<Error> {
     let sample = reporter.samples.get(at)?;
-    let scene = Scene { around, tool, options, stock_mm: reporter.path.stock_mm };
+    let scene = Scene { around, tool, options, stock_mm: reporter.path.stock_mm, chord_mm: reporter.path.chord_mm };
     let [least, most] = [options.settings.contact_angle_min_deg, options.settings.contact_angle_max_deg];
     let place = reporter.place(sample.row);
     let refused = |why: String, bound: Bound, advice: String| {
@@ -142,7 +144,7 @@ pub(super) fn closed(
 }
 
 impl Scene<'_> {
-    /// θ that contact angle and strip leave, at a place of a path that goes on along the unit `way`.
+    /// θ that contact angle and strip leave, at a place of a path that goes on along `way`, unit.
     fn window(&self, s: &Sample, way: &Vector) -> Window {
         let settings = &self.options.settings;
         let inclined = Inclined {
@@ -269,7 +271,8 @@ impl<'a> Discs<'a> {
             };
             // What is spared lies under the contact where stock stays on the part.
             let foot = contact - s.normal * scene.stock_mm;
-            let point = search.cut(&disc, *near_mm, (&foot, spared_mm))?;
+            let off_mm = if s.fraction > 0.0 { scene.chord_mm } else { 0.0 };
+            let point = search.cut(&disc, *near_mm - off_mm, (&foot, spared_mm))?;
             let triangle = part.closest_on_mesh(&point, f64::INFINITY).and_then(|c| c.triangle).unwrap_or(0);
             Some(Cut { body: *body, triangle })
         })

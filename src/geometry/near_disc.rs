@@ -147,7 +147,12 @@ impl<'a> DiscSearch<'a> {
                 let done = walker.visit(&mut look, MOST_CUTS);
                 look.found.or((!done).then_some(*spared.0))
             }
-            None => self.closest(disc, cap_mm, 0.0).map(|near| near.at.point),
+            None => {
+                let (best_mm, least_mm) = (cap_mm, f64::INFINITY);
+                let mut look = Nearest { disc, tolerance_mm: 0.0, best_mm, point: None, least_mm, found: 0 };
+                on_mesh(self.part, &mut look);
+                look.point
+            }
         };
         own.or_else(|| self.published.as_mut()?.cut(disc, cap_mm, spared))
     }

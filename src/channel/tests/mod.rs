@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod brute;
+mod cornered;
 mod exact;
 mod location;
 mod sphere;

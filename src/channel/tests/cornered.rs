@@ -1,0 +1,106 @@
+//! Cutters with a corner: walls in closed form.
+
+use super::super::{ChannelOptions, Surroundings, intervals, plan};
+use super::world;
+use crate::artifact::channel::Binding;
+use crate::artifact::toolpath::{CutterLocation, Turn};
+use crate::artifact::{Cones, Sweep, ToolPart, Toolpath};
+use crate::error::{Bound, ErrorKind, Infeasible};
+use crate::geometry::mesh::Mesh;
+use crate::geometry::{Point, Vector};
+use crate::observe::Silent;
+use crate::tool::Tool;
+
+const HOLLOW_MM: f64 = 40.0;
+
+fn bull() -> Tool {
+    Tool { radius_mm: 8.0, corner_radius_mm: Some(2.0), holder: Vec::new(), stickout_mm: 20.0, ..world::tool(8.0, 0.0) }
+}
+
+/// A third of a round trough about the blade axis, seen from within; `steps` facets round it.
+fn trough(steps: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    for k in 0..=steps {
+        let (s, c) = (2.1 * f64::from(k) / f64::from(steps)).sin_cos();
+        mesh.points.extend([-40.0, 40.0].map(|x| Point::new(x, HOLLOW_MM * c, HOLLOW_MM * s)));
+    }
+    for k in 0..steps {
+        let [a, b] = [2 * k, 2 * k + 2];
+        mesh.triangles.extend([[a, b, a + 1], [a + 1, b, b + 1]]);
+        mesh.face_of.extend([0, 0]);
+    }
+    mesh
+}
+
+/// A path along its middle, of corners of a radius; amid it the cutter has room at both ends.
+fn along_the_trough(corner_mm: f64) -> Toolpath {
+    let at = |k: usize| {
+        let angle = 0.9 + 0.01 * k as f64;
+        let out = Vector::new(0.0, angle.cos(), angle.sin());
+        let (contact, s) = (Point::from(out * HOLLOW_MM), 0.01 * (HOLLOW_MM - corner_mm) * k as f64);
+        CutterLocation { turn: 0, turn_s_mm: s, s_mm: s, centre: contact - out * corner_mm, contact, normal: -out }
+    };
+    let locations: Vec<CutterLocation> = (0..30).map(at).collect();
+    let turns = vec![Turn { first: 0, count: 30, length_mm: 10.0 }];
+    let path = world::helix(&world::ellipse(9.0, 4.0), corner_mm, 30, 1, 10.0, 1.0);
+    Toolpath { locations, turns, cones: Cones::about_blade(0.0), ..path }
+}
+
+fn options(least_deg: f64, most_deg: f64) -> ChannelOptions {
+    ChannelOptions { sweep: Sweep::Follow, ..ChannelOptions::default() }.with(|s| {
+        (s.contact_angle_min_deg, s.contact_angle_max_deg) = (least_deg, most_deg);
+    })
+}
+
+/// In a round trough of radius ρ the back of a disc of radius R comes to the wall where
+/// `sin α = R / (ρ − r)`.
+#[test]
+fn on_hollow_ground_the_back_of_the_disc_is_the_wall() {
+    let (blade, tool, path) = (world::blade(trough(4000)), bull(), along_the_trough(2.0));
+    let channel = plan(&blade, &tool, &path, &options(3.0, 20.0), &Silent).unwrap();
+    let least = (tool.disc_radius_mm() / (HOLLOW_MM - tool.corner_mm())).asin();
+    for (row, l) in channel.rows.iter().zip(&path.locations) {
+        let azimuth = path.cone(0).theta_of(&l.normal, 0.0).unwrap();
+        let on = |theta: f64| (theta - azimuth).rem_euclid(std::f64::consts::TAU);
+        assert!((on(row.theta_min) - least).abs() < 0.002, "{} {least}", on(row.theta_min));
+        assert!((on(row.theta_max) - 20f64.to_radians()).abs() < 1e-9, "{}", on(row.theta_max));
+        assert!(matches!(row.binds_min, Binding::Part { tool: ToolPart::Cutter, .. }), "{:?}", row.binds_min);
+        assert_eq!(row.binds_max, Binding::ContactAngle);
+    }
+    // The lists of all free angles are the same.
+    let around = Surroundings::new(&blade, &[], tool.radius_mm).unwrap();
+    let free = intervals(&around, &tool, &path, &options(3.0, 20.0), &Silent).unwrap();
+    assert!(free.iter().zip(&channel.rows).all(|(f, r)| f.len() == 1 && f[0].theta_max == r.theta_max));
+}
+
+/// Where no inclination within the range will do, the one that would is told.
+#[test]
+fn a_hollow_too_narrow_is_refused_with_the_inclination_that_would_do() {
+    let (blade, tool, path) = (world::blade(trough(4000)), bull(), along_the_trough(2.0));
+    let e = plan(&blade, &tool, &path, &options(3.0, 8.0), &Silent).unwrap_err();
+    assert_eq!(e.kind, ErrorKind::Infeasible);
+    let needs_deg = (tool.disc_radius_mm() / (HOLLOW_MM - tool.corner_mm())).asin().to_degrees();
+    let told = e.message.split("; at ").nth(1).and_then(|rest| rest.split('°').next()).unwrap();
+    assert!((told.parse::<f64>().unwrap() - needs_deg).abs() < 0.15, "{e} {needs_deg}");
+    let Some(Infeasible::NoFreeAngle { bounds, .. }) = e.infeasible.as_deref() else { panic!("{:?}", e.infeasible) };
+    assert!(matches!(&bounds[..], [Bound::Part { tool, .. }] if tool == "cutter"), "{bounds:?}");
+}
+
+/// On a round wall the window is the range of contact angle, forwards; where the wall leans by more
+/// than the range there is none.
+#[test]
+fn on_round_walls_the_window_is_the_range_of_contact_angle() {
+    let blade = world::on_platform(&world::ellipse(20.0, 20.0), 1440, 45.0);
+    let path = world::helix(&world::ellipse(20.0, 20.0), 2.0, 360, 1, 30.0, 1.0);
+    let upright = Toolpath { cones: Cones::about_blade(0.0), ..path.clone() };
+    let tool = bull();
+    let channel = plan(&blade, &tool, &upright, &options(3.0, 12.0), &Silent).unwrap();
+    for (row, l) in channel.rows.iter().zip(&upright.locations) {
+        let azimuth = upright.cone(0).theta_of(&l.normal, 0.0).unwrap();
+        let on = [row.theta_min, row.theta_max].map(|t| (t - azimuth).rem_euclid(std::f64::consts::TAU).to_degrees());
+        assert!((on[0] - 3.0).abs() < 1e-6 && (on[1] - 12.0).abs() < 1e-6, "{on:?}");
+    }
+    let leaning = Toolpath { cones: Cones::about_blade(14f64.to_radians()), ..path };
+    let e = plan(&blade, &tool, &leaning, &options(3.0, 12.0), &Silent).unwrap_err();
+    assert!(e.message.contains("head and wall lean apart by 14.00°"), "{e}");
+}
