@@ -1,5 +1,5 @@
-//! Bull-nose cutters from a model to a program: what is planned passes all checks, is as much shorter
-//! as its strips are wider, and what is wrong with it is found.
+//! Bull-nose cutters from a model to a program: what is planned passes all checks, is as much
+//! shorter as its strips are wider, and what is wrong with it is found.
 
 use std::path::Path;
 

@@ -72,8 +72,8 @@ impl Plan {
         before.rows(cone_in, Stretch::LeadIn).chain(path).chain(after.rows(cone_out, Stretch::LeadOut))
     }
 
-    /// The places whose speed is the feed, row by row as [`Plan::rows`]: the ball's centre; of a cutter
-    /// with a corner, the centre of that, over the contact.
+    /// The places whose speed is the feed, row by row as [`Plan::rows`]: the ball's centre; of a
+    /// cutter with a corner, the centre of that, over the contact.
     pub fn feed_points(&self) -> Vec<Point> {
         let mut out: Vec<Point> = self.rows().map(|r| r.stand.centre).collect();
         if self.toolpath.disc_radius_mm > 0.0 {

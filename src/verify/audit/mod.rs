@@ -23,7 +23,7 @@
 //!
 //! A cutter with a corner is judged by the same checks, with [`super::cutter`] in the place of
 //! [`super::gouge`]: it is what the corner leaves that is called the ball's. Its ridges are those
-//! of [`ridges`].
+//! of [`super::cutter::ridges`].
 //!
 //! **Limits**: rapids are taken as straight in whatever the block programs; which forms of programs
 //! are read: [`crate::read::program`]; the control's own smoothing is not known but for
