@@ -87,8 +87,8 @@ pub enum Sweep {
     /// Round the axis of the cones with the surface normal, turn after turn, and never back.
     #[default]
     Round,
-    /// Round the axis of the cones with the surface normal, and back where that turns back. The hulls
-    /// are the walls then.
+    /// Round the axis of the cones with the surface normal, and back where that turns back. The
+    /// hulls are the walls then.
     Follow,
     /// To and fro about the reference of the cones, within half a turn of it. The hulls are the
     /// walls then.

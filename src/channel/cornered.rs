@@ -10,9 +10,9 @@
 //!   about that centre, with the room added to the clearance. So a wall lies at most twice that
 //!   room inside the one that is asked for.
 //! * The disc itself: on hollow ground its back cuts where the axis leans too little. It is
-//!   looked at where angles are [`LOOK_RAD`] apart at most, and the ends of what is clear are halved
-//!   to the tolerance. What lies between these angles is a matter of the checks, which follow the
-//!   whole motion.
+//!   looked at where angles are [`LOOK_RAD`] apart at most, and the ends of what is clear are
+//!   halved to the tolerance. What lies between these angles is a matter of the checks, which
+//!   follow the whole motion.
 
 use std::f64::consts::FRAC_PI_2;
 

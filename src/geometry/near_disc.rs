@@ -135,9 +135,9 @@ impl Visitor for Cuts<'_> {
 }
 
 impl<'a> DiscSearch<'a> {
-    /// A point of the part that is nearer to the disc than `cap_mm`; `spared` is a place about which
-    /// it is not looked on exact faces, no farther than so much, mm. Where a query halves too many
-    /// pieces without an answer, that place.
+    /// A point of the part that is nearer to the disc than `cap_mm`; `spared` is a place about
+    /// which it is not looked on exact faces, no farther than so much, mm. Where a query halves too
+    /// many pieces without an answer, that place.
     ///
     /// A cutter touches at such a place, and to tell a touch from a cut takes most of a query.
     pub fn cut(&mut self, disc: &Disc, cap_mm: f64, spared: (&Point, f64)) -> Option<Point> {

@@ -70,9 +70,9 @@ impl Pass {
     }
 }
 
-/// Height of the ridge between two passes of the level set over the part, mm; infinite where neither
-/// reaches over the contact between them, `None` where there is no ball of the level set between
-/// them.
+/// Height of the ridge between two passes of the level set over the part, mm; infinite where
+/// neither reaches over the contact between them, `None` where there is no ball of the level set
+/// between them.
 ///
 /// The ridge is where both balls leave the same height. That is midway only where the curvature
 /// across the passes does not change, and much nearer to one of them where a wall runs into a

@@ -20,8 +20,8 @@ pub(crate) fn placed<'p>(path: &'p Toolpath, tool: &Tool, theta: &[f64]) -> Cow<
     for (row, theta) in theta.iter().enumerate().take(path.locations.len()) {
         let l = &mut out.locations[row];
         let axis = path.cone(row).tool_axis(*theta);
-        // Over a right angle from the normal it would touch with its back: no channel goes there, and
-        // what is only compared with stands at a right angle.
+        // Over a right angle from the normal it would touch with its back: no channel goes there,
+        // and what is only compared with stands at a right angle.
         let along = axis - l.normal * axis.dot(&l.normal).min(0.0);
         l.centre = tool.centre_at(&l.contact, &l.normal, &along.normalize(), None).unwrap_or(l.centre);
     }

@@ -44,11 +44,12 @@ pub fn forwards_rad(cone: &Cone, normal: &Vector, contact_rad: f64) -> Option<f6
 }
 
 /// Radius of the ball that leaves the same ridges on flat ground as a cutter with a disc and a
-/// corner of these radii on a pass along the unit `way`, mm; 0 where the axis does not lean forwards.
+/// corner of these radii on a pass along the unit `way`, mm; 0 where the axis does not lean
+/// forwards.
 ///
 /// Of a leaning cutter the curvature across the way is that of the section which it sweeps
-/// ([`super::stepover`]): `1 / (r + R (a·t)² / sin³ α)`. It is least where the axis leans forwards by
-/// √2 times as much as aside.
+/// ([`super::stepover`]): `1 / (r + R (a·t)² / sin³ α)`. It is least where the axis leans forwards
+/// by √2 times as much as aside.
 pub fn strip_radius_mm(radii_mm: [f64; 2], axis: &Vector, normal: &Vector, way: &Vector) -> f64 {
     let [disc, corner] = radii_mm;
     let (forwards, sine) = (axis.dot(way), axis.cross(normal).norm());
@@ -72,9 +73,9 @@ pub struct Inclined {
 }
 
 impl Inclined {
-    /// Where the cutter stands that touches with the unit `normal` at the greatest contact angle, the
-    /// centre of its corner being known: centre of the disc and tool axis. Where the contact angle
-    /// is greater at every θ, with its axis as near to the normal as it comes.
+    /// Where the cutter stands that touches with the unit `normal` at the greatest contact angle,
+    /// the centre of its corner being known: centre of the disc and tool axis. Where the contact
+    /// angle is greater at every θ, with its axis as near to the normal as it comes.
     pub fn stand(&self, corner: &Point, normal: &Vector) -> (Point, Vector) {
         let on = forwards_rad(&self.cone, normal, self.contact_rad[1]).unwrap_or(0.0);
         let azimuth = self.cone.theta_of(normal, 0.0).unwrap_or(0.0);
@@ -98,9 +99,9 @@ impl Inclined {
     }
 
     /// Radius of the ball that passes along the unit `way` are laid for, mm, and that of the cutter
-    /// at the greatest contact angle: where head and wall make it lean aside too, less lean forwards
-    /// may leave higher ridges. The first is about the lesser of the strips there and [`SPAN_RAD`]
-    /// below, without a corner between the one and the other.
+    /// at the greatest contact angle: where head and wall make it lean aside too, less lean
+    /// forwards may leave higher ridges. The first is about the lesser of the strips there and
+    /// [`SPAN_RAD`] below, without a corner between the one and the other.
     fn strips_mm(&self, normal: &Vector, way: &Vector) -> Option<[f64; 2]> {
         let [low, high] = self.ends(normal)?;
         let strips = [high, low.max(high - SPAN_RAD)].map(|on| self.strip_mm(normal, way, on));

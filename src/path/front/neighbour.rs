@@ -217,12 +217,12 @@ impl Across<'_> {
         ridge_over_creases(self.level, &Pass::along(self.level, [&from.touch, to], &from.along))
     }
 
-    /// The unit direction in which the neighbour of a place lies, and that across the plane in which
-    /// it is sought. For a ball the first is square to the way. What a cutter with a corner leaves
-    /// at a place beside its way is left by a place of it farther back or ahead, in the direction
-    /// that is conjugate to the way by the curvatures `K` of cutter and part. From turn to turn places
-    /// go along these lines: square to the way they would pass beyond the bends of the next turn,
-    /// and bends grow.
+    /// The unit direction in which the neighbour of a place lies, and that across the plane in
+    /// which it is sought. For a ball the first is square to the way. What a cutter with a corner
+    /// leaves at a place beside its way is left by a place of it farther back or ahead, in the
+    /// direction that is conjugate to the way by the curvatures `K` of cutter and part. From turn
+    /// to turn places go along these lines: square to the way they would pass beyond the bends of
+    /// the next turn, and bends grow.
     ///
     /// Contacts `x` go as the corner's centres `(I + r S) x`, with the part's shape `S`. Seen by
     /// centres, with `M = (I + r S)⁻¹`, `M K M = M/r − (1/r − k) (M p)(M p)ᵀ`: `k` is the cutter's
@@ -248,8 +248,8 @@ impl Across<'_> {
         Some([side, normal.cross(&side)])
     }
 
-    /// `M` of [`Self::ways`] times a unit direction across the normal: how contacts go where centres
-    /// go along it.
+    /// `M` of [`Self::ways`] times a unit direction across the normal: how contacts go where
+    /// centres go along it.
     fn shrunk(&self, from: &Heading, along: &Vector) -> Option<Vector> {
         let step = NEAR_BY * self.level.radius_mm;
         let touch = |sign: f64| self.level.touch(&(from.touch.centre + along * (sign * step)), step);
