@@ -95,6 +95,11 @@ impl Plan {
         Some(Stand { centre: at.centre, cone: self.toolpath.cone(location), theta })
     }
 
+    /// Where the tool stands at all locations.
+    pub fn stands(&self) -> Vec<Stand> {
+        (0..self.toolpath.locations.len()).filter_map(|k| self.stand(k)).collect()
+    }
+
     /// Positions of the axes, row by row as [`Plan::rows`].
     pub fn axes(&self) -> impl Iterator<Item = &[f64]> {
         let [before, after] = &self.leads;

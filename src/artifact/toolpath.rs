@@ -110,7 +110,7 @@ pub struct Toolpath {
     /// Why the path ends where it ends.
     pub end_reason: EndReason,
     /// Scallop that the planner foresees between neighbouring turns, mm: the greatest on exact faces, the 99th percentile
-    /// on a mesh.
+    /// on a mesh, and of a cutter with a corner.
     pub planned_scallop_mm: f64,
     /// The tool axes that each location allows.
     pub cones: Cones,
@@ -121,7 +121,8 @@ pub struct Toolpath {
     pub locations: Vec<CutterLocation>,
 }
 
-fn is_none(disc_radius_mm: &f64) -> bool {
+/// Whether a disc is none: the cutter is a ball.
+pub(crate) fn is_none(disc_radius_mm: &f64) -> bool {
     *disc_radius_mm == 0.0
 }
 

@@ -9,7 +9,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::artifact::Toolpath;
-use crate::artifact::channel::{Sweep, Width};
+use crate::artifact::channel::Width;
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Silent};
 use crate::parallel;
@@ -18,7 +18,7 @@ use crate::tool::Tool;
 use super::forbidden::Free;
 use super::offset::{self, LeastTravel};
 use super::stretches::{PathPart, stretches};
-use super::{ChannelOptions, Surroundings, chain, check_input, check_lean, report, samples, walls};
+use super::{ChannelOptions, Surroundings, chain, check_input, check_lean, report, samples_of, walls};
 
 /// Locations of the path that advice looks at, about.
 const PLACES: usize = 3000;
@@ -26,6 +26,13 @@ const PLACES: usize = 3000;
 const B_DEG: f64 = 0.1;
 const STICKOUT_MM: f64 = 0.5;
 const FACTOR: f64 = 0.01;
+/// Greatest contact angle that is tried, steps from one to the next, and to what the least that
+/// opens a channel is found, degrees.
+const MOST_CONTACT_DEG: f64 = 60.0;
+const CONTACT_STEP_DEG: f64 = 3.0;
+const CONTACT_DEG: f64 = 0.1;
+/// The widest cutter that is tried, as a multiple of the tool's own.
+const WIDEST: f64 = 3.0;
 /// The longest stick-out that is tried, as a multiple of the tool's own.
 const LONGEST: f64 = 6.0;
 
@@ -51,8 +58,11 @@ pub struct Advice {
     /// Where no B opens it: which B leads farthest.
     pub farthest: Option<Farthest>,
     /// The least travel of Y with which a schedule exists at the job's B with the tool as it is, at
-    /// all locations; none: not even without a limit of it.
+    /// all locations; none: not even without a limit of it, or the cutter has a corner.
     pub least_travel: Option<LeastTravel>,
+    /// Of a cutter with a corner only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner: Option<CornerAdvice>,
     /// Locations of the path that were looked at.
     pub places: usize,
 }
@@ -64,7 +74,20 @@ impl Advice {
             && self.least_stickout_mm.is_none()
             && self.holder_radii_mm.is_none()
             && self.shank_radius_mm.is_none()
+            && self.corner.is_none_or(|c| c.contact_deg.is_none() && c.radius_mm.is_none())
     }
+}
+
+/// What opens a channel for a cutter with a corner.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct CornerAdvice {
+    /// The least greatest contact angle that has a channel with the tool as it is, degrees, to
+    /// 0.1°; none: no angle up to 60° does. Passes are laid for it, so less makes strips wider.
+    pub contact_deg: Option<f64>,
+    /// Greatest radius of a cutter with that corner, mm, that has a channel within the job's range
+    /// of contact angle, to a hundredth of the cutter's: three times the cutter's at most; none:
+    /// none wider than the corner does.
+    pub radius_mm: Option<f64>,
 }
 
 /// How far a channel leads before it closes.
@@ -88,9 +111,15 @@ struct WidthSearch<'a> {
 }
 
 impl<'a> WidthSearch<'a> {
-    fn new(around: &'a Surroundings<'a>, path: &Toolpath, places: usize, observer: &'a dyn Observer) -> Self {
-        let samples = samples::along(path, f64::INFINITY, Sweep::Round);
-        let stretches = stretches(path, &samples, places);
+    fn new(
+        around: &'a Surroundings<'a>,
+        (tool, path): (&Tool, &Toolpath),
+        options: &ChannelOptions,
+        places: usize,
+        observer: &'a dyn Observer,
+    ) -> Self {
+        let far = ChannelOptions { max_step_mm: f64::INFINITY, ..options.clone() };
+        let stretches = stretches(path, &samples_of(tool, path, &far), places);
         WidthSearch { around, stretches, observer, closed: AtomicUsize::new(0) }
     }
 
@@ -184,14 +213,15 @@ impl<'a> WidthSearch<'a> {
                 let (blade, is_start) = (self.around.blade, stretch.is_start);
                 let reporter = report::Reporter { blade, path, scene: &scene, samples, is_start };
                 let (turn, turn_s_mm) = at(samples.get(closed.at).map_or(0, |s| s.row));
-                let binds = if why { reporter.closed(&layers, closed.at).message } else { String::new() };
+                let says = || self.around.closed(tool, options, (&reporter, &layers), closed.at).message;
+                let binds = if why { says() } else { String::new() };
                 return Ok(Width { b_deg, narrowest_deg: None, monotone_deg: None, turn, turn_s_mm, binds });
             }
         };
         let chosen: Vec<Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k).copied()).collect();
         let mut rows = walls::rows(samples, &chosen, &scene);
         let narrowest_deg = rows.iter().map(|r| (r.theta_max - r.theta_min).to_degrees()).reduce(f64::min);
-        let _ = walls::hulls(&mut rows, Sweep::Round);
+        let _ = walls::hulls(&mut rows, options.sweep);
         let hull = rows.iter().enumerate().map(|(i, r)| (r.hull_max - r.hull_min, i));
         let (monotone, row) = hull.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
         let (turn, turn_s_mm) = at(row);
@@ -232,10 +262,9 @@ pub fn sweep_b(
     leans: Leans,
     observer: &dyn Observer,
 ) -> Result<Vec<Width>> {
-    tool.ball_only("widths against B are found")?;
     check_input(tool, path, options)?;
     let options = &ChannelOptions { travel: Vec::new(), ..options.clone() };
-    WidthSearch::new(around, path, leans.places, observer).sweep(tool, options, leans.b_deg)
+    WidthSearch::new(around, (tool, path), options, leans.places, observer).sweep(tool, options, leans.b_deg)
 }
 
 /// What would open a channel; `b_deg` are the angles to look at, rising.
@@ -250,12 +279,16 @@ pub fn advise(
     b_deg: &[f64],
     observer: &dyn Observer,
 ) -> Result<Advice> {
-    tool.ball_only("advice is given")?;
     check_input(tool, path, options)?;
     // Travel of linear axes changes with lean and stick-out: what is advised is without it.
     let options = &ChannelOptions { travel: Vec::new(), ..options.clone() };
-    let look = WidthSearch::new(around, path, PLACES, observer);
-    let free = super::intervals(around, tool, path, options, observer)?;
+    let look = WidthSearch::new(around, (tool, path), options, PLACES, observer);
+    // Where the centre goes with θ, the offset is not that of the path.
+    let least_travel = match tool.is_ball() {
+        true => offset::least_travel(path, &super::intervals(around, tool, path, options, observer)?, observer)?,
+        false => None,
+    };
+    let corner = if tool.is_ball() { None } else { Some(corner_advice(&look, tool, options)?) };
     let widths = look.sweep(tool, options, b_deg)?;
     let at_b = |b: f64| look.leaning(b.to_radians()).is_open(tool, options);
     let with = |tool: &Tool| look.is_open(tool, options);
@@ -273,9 +306,37 @@ pub fn advise(
         holder_radii_mm: thickest_holder(tool, with)?,
         shank_radius_mm: thickest_shank(tool, with)?,
         farthest: if best.is_none() { farthest(&widths, path) } else { None },
-        least_travel: offset::least_travel(path, &free, observer)?,
+        least_travel,
+        corner,
         places: look.places(),
     })
+}
+
+/// The least inclination and the widest disc.
+fn corner_advice(look: &WidthSearch, tool: &Tool, options: &ChannelOptions) -> Result<CornerAdvice> {
+    let least_deg = options.settings.contact_angle_min_deg;
+    let leaning = |most_deg: f64| {
+        let leaning = options.clone().with(|s| s.contact_angle_max_deg = most_deg);
+        look.is_open(tool, &leaning)
+    };
+    let mut shut = least_deg;
+    let mut contact_deg = None;
+    // Which angle opens it first is not known from one that is open: more may close it again.
+    while contact_deg.is_none() && shut < MOST_CONTACT_DEG {
+        let next = (shut + CONTACT_STEP_DEG).min(MOST_CONTACT_DEG);
+        contact_deg = bisect(shut + CONTACT_DEG, next, CONTACT_DEG, leaning)?;
+        shut = next;
+    }
+    let corner_mm = tool.corner_mm();
+    let widest_mm = WIDEST * tool.radius_mm;
+    // From the widest (0) downwards; the shank is as much wider than the cutter as the tool's own.
+    let narrower = |by_mm: f64| {
+        let radius_mm = widest_mm - by_mm;
+        let shank_radius_mm = tool.shank_radius_mm - tool.radius_mm + radius_mm;
+        look.is_open(&Tool { radius_mm, shank_radius_mm, ..tool.clone() }, options)
+    };
+    let found = bisect(0.0, widest_mm - corner_mm * (1.0 + FACTOR), FACTOR * tool.radius_mm, narrower)?;
+    Ok(CornerAdvice { contact_deg, radius_mm: found.map(|by_mm| widest_mm - by_mm) })
 }
 
 /// Least value in `lo ..= hi` for which `open` holds, to `step`, where it holds at `hi`; `open`

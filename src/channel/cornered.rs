@@ -3,7 +3,7 @@
 //! The contact stays while θ turns, so the disc under the corner goes with it: its centre is
 //! `p + r n + R (n − a cos α) / sin α` ([`crate::tool::contact`]). Three things limit θ.
 //!
-//! * The contact angle, forwards, and the strip that passes are laid for: a window of θ
+//! * The contact angle, forwards, and the ridges that passes are laid for: a window of θ
 //!   ([`Inclined::window_rad`]).
 //! * Taper, shank and holder. The window is cut into pieces in which the centre stays within a
 //!   room [`ROOM_MM`] of where it is in the middle of the piece; there the search of balls runs
@@ -21,14 +21,14 @@ use super::forbidden::Free;
 use super::report::Reporter;
 use super::samples::Sample;
 use super::{ChannelOptions, Surroundings, track};
-use crate::artifact::Toolpath;
+use crate::artifact::{Obstacle, Toolpath};
 use crate::error::{Bound, Error, Infeasible, Result, Stage};
 use crate::geometry::near_disc::DiscSearch;
 use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
 use crate::parallel;
 use crate::tool::Tool;
-use crate::tool::inclination::{Inclined, forwards_rad};
+use crate::tool::inclination::{Bending, Inclined, forwards_rad};
 
 /// Half of what the centre moves while one search stands for all angles of a piece, mm.
 const ROOM_MM: f64 = 0.05;
@@ -45,6 +45,12 @@ const CUT_MM: f64 = 3e-4;
 /// About its contact the disc is not looked at, as far as it rises by this on flat ground, mm:
 /// what fits farther off fits there.
 const RISES_MM: f64 = 0.01;
+/// The bend of the surface at a place is that from so far before it to so far beyond, as a share of
+/// the corner's radius, and of so many places at most.
+const BEND: f64 = 0.2;
+const MOST_BEND: usize = 50;
+/// A window begins so much lower than at the place beside it at most, rad, seen from the normal.
+const OPENS_RAD: f64 = 0.01;
 /// Places that one thread looks at in a row.
 const CHUNK: usize = 64;
 /// Places at which the greatest way of the centre over a window is measured.
@@ -55,9 +61,7 @@ struct Scene<'a> {
     around: &'a Surroundings<'a>,
     tool: &'a Tool,
     options: &'a ChannelOptions,
-    stock_mm: f64,
-    /// What places between locations may lie off the path, mm.
-    chord_mm: f64,
+    path: &'a Toolpath,
 }
 
 /// θ from and to, rad.
@@ -71,7 +75,7 @@ pub(super) fn layers(
     (samples, path): (&[Sample], &Toolpath),
     observer: &dyn Observer,
 ) -> Result<Vec<Vec<Free>>> {
-    let scene = Scene { around, tool, options, stock_mm: path.stock_mm, chord_mm: path.chord_mm };
+    let scene = Scene { around, tool, options, path };
     let windows = scene.windows(samples);
     let clear_of_tool = scene.clear_of_tool(samples, &windows, observer)?;
     let chunks = samples.len().div_ceil(CHUNK);
@@ -93,7 +97,7 @@ pub(super) fn closed(
     (reporter, at): (&Reporter, usize),
 ) -> Option<Error> {
     let sample = reporter.samples.get(at)?;
-    let scene = Scene { around, tool, options, stock_mm: reporter.path.stock_mm, chord_mm: reporter.path.chord_mm };
+    let scene = Scene { around, tool, options, path: reporter.path };
     let [least, most] = [options.settings.contact_angle_min_deg, options.settings.contact_angle_max_deg];
     let place = reporter.place(sample.row);
     let refused = |why: String, bound: Bound, advice: String| {
@@ -106,8 +110,7 @@ pub(super) fn closed(
         };
         Some(Error::infeasible(Stage::Channel, message, what).advise(advice))
     };
-    let around_it = reporter.samples.get(at.saturating_sub(1)..(at + 2).min(reporter.samples.len()))?;
-    let Some([low, high]) = scene.windows(around_it).get(at.min(1)).copied().flatten() else {
+    let Some([_, high]) = scene.window(reporter.samples, at) else {
         let azimuth = sample.azimuth;
         let nearest_deg = sample.cone.tool_axis(azimuth).angle(&sample.normal).to_degrees();
         let why = format!(
@@ -118,18 +121,13 @@ pub(super) fn closed(
         return refused(why, Bound::ContactAngle, advice.into());
     };
     let mut discs = Discs::new(&scene);
-    let cuts = |discs: &mut Discs, theta: f64| discs.cut_at(sample, theta);
-    let body = cuts(&mut discs, high)?;
-    let name = discs.name(&body);
+    let cut = discs.cut_at(sample, high)?;
+    let (bound, name) = discs.bound(&cut);
     let square = forwards_rad(&sample.cone, &sample.normal, FRAC_PI_2);
-    let would = square.map(|on| sample.azimuth + on).filter(|end| cuts(&mut discs, *end).is_none());
+    let would = square.map(|on| sample.azimuth + on).filter(|end| discs.cut_at(sample, *end).is_none());
     let (advice, more) = match would {
-        Some(mut clear) => {
-            let mut cut = high.max(low);
-            while clear - cut > options.settings.tolerance_deg.to_radians() {
-                let middle = 0.5 * (cut + clear);
-                if cuts(&mut discs, middle).is_some() { cut = middle } else { clear = middle }
-            }
+        Some(clear) => {
+            let (clear, _) = discs.end(sample, (clear, high), cut);
             let needs_deg = sample.cone.tool_axis(clear).angle(&sample.normal).to_degrees();
             (
                 "let it lean more with channel.contact_angle_max_deg, or take a narrower cutter or a larger corner"
@@ -140,31 +138,40 @@ pub(super) fn closed(
         None => ("take a narrower cutter, or a ball".into(), "; no inclination would do".into()),
     };
     let why = format!("inclined by {least}° to {most}° the cutter cuts {name} beside its contact{more}");
-    refused(why, Bound::Part { tool: "cutter".into(), face: name }, advice)
+    refused(why, bound, advice)
 }
 
 impl Scene<'_> {
-    /// θ that contact angle and strip leave, at a place of a path that goes on along `way`, unit.
-    fn window(&self, s: &Sample, way: &Vector) -> Window {
-        let settings = &self.options.settings;
-        let inclined = Inclined {
-            disc_radius_mm: self.tool.disc_radius_mm(),
-            corner_radius_mm: self.tool.corner_mm(),
-            contact_rad: [settings.contact_angle_min_deg, settings.contact_angle_max_deg].map(f64::to_radians),
-            cone: s.cone,
-            rises: true,
-        };
-        Some(inclined.window_rad(&s.normal, way)?.map(|on| s.azimuth + on))
+    /// θ that contact angle and ridges leave at a place.
+    fn window(&self, samples: &[Sample], k: usize) -> Window {
+        let (s, settings) = (&samples[k], &self.options.settings);
+        let contact_deg = [settings.contact_angle_min_deg, settings.contact_angle_max_deg];
+        let inclined = Inclined::new(self.tool, contact_deg, s.cone)?;
+        Some(inclined.window_rad(&self.bending(samples, k))?.map(|on| s.azimuth + on))
     }
 
-    /// Windows of all places.
+    /// The same at all places. Where the path turns, windows open fast; walls are straight between
+    /// locations, so they open no faster than by [`OPENS_RAD`] from place to place.
     fn windows(&self, samples: &[Sample]) -> Vec<Window> {
-        let at = |k: usize| samples[k.min(samples.len() - 1)].centre;
-        parallel::map(0..samples.len(), |k| {
-            let (s, way) = (&samples[k], at(k + 1) - at(k.saturating_sub(1)));
-            let way = (way - s.normal * way.dot(&s.normal)).try_normalize(1e-12)?;
-            self.window(s, &way)
-        })
+        let mut windows: Vec<Window> = parallel::map(0..samples.len(), |k| self.window(samples, k));
+        let mut ease = |k: usize, before: usize| {
+            if let (Some([from, _]), Some([low, high])) = (windows[before], &mut windows[k]) {
+                let turned = samples[k].azimuth - samples[before].azimuth;
+                *low = low.max((from + turned - OPENS_RAD).min(*high));
+            }
+        };
+        (1..samples.len()).for_each(|k| ease(k, k - 1));
+        (1..samples.len()).rev().for_each(|k| ease(k - 1, k));
+        windows
+    }
+
+    /// How the surface bends along the way, from a step before a place to one beyond it.
+    fn bending(&self, samples: &[Sample], k: usize) -> Bending {
+        let (s, corner) = (&samples[k], self.tool.corner_mm());
+        let far = |other: &&Sample| (other.centre - s.centre).norm() >= BEND * corner;
+        let before = samples[..k].iter().rev().take(MOST_BEND).find(far).or(samples[..k].last()).unwrap_or(s);
+        let beyond = samples[k + 1..].iter().take(MOST_BEND).find(far).or(samples.get(k + 1)).unwrap_or(s);
+        Bending::of_corner(s.normal, beyond.centre - before.centre, beyond.normal - before.normal, corner)
     }
 
     /// Centre of the disc at θ, on the corner's centre of a place.
@@ -236,8 +243,10 @@ fn join(list: &mut Vec<Free>, free: &Free, [from, to]: [f64; 2], window: Window)
 /// What the disc would cut.
 #[derive(Clone, Copy)]
 struct Cut {
+    /// 0: the part; else the obstacle with the number less one.
     body: u16,
-    triangle: u32,
+    /// A point of it that is cut.
+    point: Point,
 }
 
 /// The disc against the part and the bodies about it.
@@ -250,7 +259,7 @@ struct Discs<'a> {
 impl<'a> Discs<'a> {
     fn new(scene: &'a Scene<'a>) -> Self {
         let corner = scene.tool.corner_mm();
-        let part = (0, DiscSearch::new(&scene.around.blade.part), corner + scene.stock_mm - CUT_MM);
+        let part = (0, DiscSearch::new(&scene.around.blade.part), corner + scene.path.stock_mm - CUT_MM);
         let others = scene.around.obstacles.iter().zip(1..).filter(|(o, _)| !o.cut_by_the_tool);
         let others = others.map(|(o, k)| (k, DiscSearch::new(&o.part), corner + o.clearance_mm));
         Discs { scene, bodies: std::iter::once(part).chain(others).collect() }
@@ -265,29 +274,35 @@ impl<'a> Discs<'a> {
         let flattest_mm = corner + disc.radius_mm / axis.cross(&s.normal).norm().max(1e-3);
         let spared_mm = (2.0 * RISES_MM * flattest_mm).sqrt().min(disc.radius_mm);
         self.bodies.iter_mut().find_map(|(body, search, near_mm)| {
-            let (part, spared_mm) = match usize::from(*body).checked_sub(1) {
-                None => (&scene.around.blade.part, spared_mm),
-                Some(k) => (&scene.around.obstacles[k].part, 0.0),
-            };
-            // What is spared lies under the contact where stock stays on the part.
-            let foot = contact - s.normal * scene.stock_mm;
-            let off_mm = if s.fraction > 0.0 { scene.chord_mm } else { 0.0 };
+            // About its contact it is not looked at the part: under it where stock stays there.
+            let foot = contact - s.normal * scene.path.stock_mm;
+            let spared_mm = if *body == 0 { spared_mm } else { 0.0 };
+            // What places between locations may lie off the path.
+            let off_mm = if s.fraction > 0.0 { scene.path.chord_mm } else { 0.0 };
             let point = search.cut(&disc, *near_mm - off_mm, (&foot, spared_mm))?;
-            let triangle = part.closest_on_mesh(&point, f64::INFINITY).and_then(|c| c.triangle).unwrap_or(0);
-            Some(Cut { body: *body, triangle })
+            Some(Cut { body: *body, point })
         })
     }
 
-    /// The name of what is cut.
-    fn name(&self, cut: &Cut) -> String {
-        let around = self.scene.around;
-        match usize::from(cut.body).checked_sub(1).and_then(|k| around.obstacles.get(k)) {
-            Some(obstacle) => obstacle.name.clone(),
-            None => {
-                let part = &around.blade.part;
-                part.face_name(part.mesh.face(cut.triangle as usize)).to_string()
-            }
+    /// The fixture or other body that is cut; `None`: the part itself.
+    fn obstacle(&self, cut: &Cut) -> Option<&'a Obstacle> {
+        usize::from(cut.body).checked_sub(1).and_then(|k| self.scene.around.obstacles.get(k))
+    }
+
+    /// The triangle that is cut.
+    fn triangle(&self, cut: &Cut) -> u32 {
+        let part = self.obstacle(cut).map_or(&self.scene.around.blade.part, |o| &o.part);
+        part.closest_on_mesh(&cut.point, f64::INFINITY).and_then(|c| c.triangle).unwrap_or(0)
+    }
+
+    /// What stands in the way, and its name.
+    fn bound(&self, cut: &Cut) -> (Bound, String) {
+        if let Some(obstacle) = self.obstacle(cut) {
+            return (Bound::Fixture { tool: "cutter".into(), name: obstacle.name.clone() }, obstacle.name.clone());
         }
+        let part = &self.scene.around.blade.part;
+        let face = part.face_name(part.mesh.face(self.triangle(cut) as usize)).to_string();
+        (Bound::Part { tool: "cutter".into(), face: face.clone() }, face)
     }
 
     /// What of a free interval the disc leaves.
@@ -330,6 +345,6 @@ impl<'a> Discs<'a> {
                 None => clear = middle,
             }
         }
-        (clear, Witness::Cutter { body: cut.body, triangle: cut.triangle })
+        (clear, Witness::Cutter { body: cut.body, triangle: self.triangle(&cut) })
     }
 }

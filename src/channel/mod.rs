@@ -78,7 +78,7 @@ use crate::observe::{Doubt, Observer, Warning};
 use crate::parallel;
 use crate::tool::Tool;
 
-pub use advise::{Advice, Farthest, Leans, advise, sweep_b};
+pub use advise::{Advice, CornerAdvice, Farthest, Leans, advise, sweep_b};
 pub use offset::{LeastTravel, least_travel};
 pub use options::ChannelOptions;
 pub use settings::{ChannelKeys, ChannelSettings};
@@ -166,7 +166,10 @@ impl<'a> Surroundings<'a> {
         observer: &dyn Observer,
     ) -> Result<Vec<Vec<Free>>> {
         let options = scene.options;
-        let mut layers = track::free_everywhere(scene, samples, observer)?;
+        let mut layers = match tool.is_ball() {
+            true => track::free_everywhere(scene, samples, observer)?,
+            false => cornered::layers(self, tool, options, (samples, path), observer)?,
+        };
         if options.settings.exact_ends {
             let room = [options.settings.clearance_mm, options.settings.holder_clearance_mm];
             let profile = ToolProfile::new(tool, room, self.blade.part.off_own_mm());
@@ -176,6 +179,19 @@ impl<'a> Surroundings<'a> {
         }
         within_axes(options, samples, &mut layers);
         Ok(layers)
+    }
+
+    /// Why no angle is free at a place.
+    fn closed(
+        &self,
+        tool: &Tool,
+        options: &ChannelOptions,
+        (reporter, layers): (&report::Reporter, &[Vec<Free>]),
+        at: usize,
+    ) -> Error {
+        let of_cutter = || cornered::closed(self, tool, options, (reporter, at));
+        let own = (!tool.is_ball() && layers[at].is_empty()).then(of_cutter).flatten();
+        own.unwrap_or_else(|| reporter.closed(layers, at))
     }
 
     fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> ObstacleScene<'s> {
@@ -234,14 +250,7 @@ pub fn intervals(
     // Places between two locations have no row of their own.
     let samples: Vec<Sample> =
         samples::along(path, f64::INFINITY, options.sweep).into_iter().filter(|s| s.fraction == 0.0).collect();
-    let layers = match tool.is_ball() {
-        true => surroundings.layers(tool, &scene, (&samples, path), observer)?,
-        false => {
-            let mut layers = cornered::layers(surroundings, tool, options, (&samples, path), observer)?;
-            within_axes(options, &samples, &mut layers);
-            layers
-        }
-    };
+    let layers = surroundings.layers(tool, &scene, (&samples, path), observer)?;
     let named = |f: &Free| FreeInterval {
         theta_min: f.lo,
         theta_max: f.hi,
@@ -281,28 +290,18 @@ pub fn plan_among(
     ball::check(path, surroundings.blade, surroundings.obstacles)?;
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
-    let samples = match tool.is_ball() {
-        true => samples::along(path, options.max_step_mm, options.sweep),
-        false => samples::along_finely(path, options.max_step_mm, cornered::TURN_RAD, options.sweep),
-    };
+    let samples = samples_of(tool, path, options);
     // What moves are proven against, the index, gives the ends then: one that lay farther out would
     // only be moved in again, and its neighbours with it.
-    let layers = if !tool.is_ball() {
-        let mut layers = cornered::layers(surroundings, tool, options, (&samples, path), observer)?;
-        within_axes(options, &samples, &mut layers);
-        layers
-    } else if options.settings.prove_moves {
+    let layers = if options.settings.prove_moves {
         layers(&scene, &samples, observer)?
     } else {
         surroundings.layers(tool, &scene, (&samples, path), observer)?
     };
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
-    let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians()).map_err(|c| {
-        let of_cutter = || cornered::closed(surroundings, tool, options, (&reporter, c.at));
-        let own = (!tool.is_ball() && layers[c.at].is_empty()).then(of_cutter).flatten();
-        own.unwrap_or_else(|| reporter.closed(&layers, c.at))
-    })?;
+    let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians())
+        .map_err(|c| surroundings.closed(tool, options, (&reporter, &layers), c.at))?;
     let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
     let mut lifts = Vec::new();
     if options.settings.prove_moves || !options.prove_at.is_empty() {
@@ -335,6 +334,14 @@ pub fn plan_among(
         chains: chain.count,
         proven_at: options.prove_at.clone(),
     })
+}
+
+/// The places at which the channel of a path is computed.
+fn samples_of(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Vec<Sample> {
+    match tool.is_ball() {
+        true => samples::along(path, options.max_step_mm, options.sweep),
+        false => samples::along_finely(path, options.max_step_mm, cornered::TURN_RAD, options.sweep),
+    }
 }
 
 /// Free intervals of all places within the axes' limits, of the index with what it lies off
@@ -382,6 +389,14 @@ fn check_input(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Result
     options.validate()?;
     tool.validate()?;
     let bad = |m: &str| Err(Error::usage(Stage::Channel, m));
+    if !tool.is_ball() {
+        let s = &options.settings;
+        let proven = [
+            (s.prove_moves || !options.prove_at.is_empty(), "moves of a channel are proven"),
+            (s.exact_ends, "ends of a channel are found on exact faces"),
+        ];
+        proven.iter().filter(|(is_asked, _)| *is_asked).try_for_each(|(_, what)| tool.ball_only(what))?;
+    }
     if path.locations.is_empty() {
         return bad("the tool path has no cutter locations");
     }

@@ -173,6 +173,7 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     row(
         "channel as the job has it",
         match now.monotone_deg {
+            Some(w) if w >= 0.0 && found.corner.is_some() => format!("open, {w:.2}° wide at the narrowest place"),
             Some(w) if w >= 0.0 => format!("open, {w:.2}° between the monotone hulls at the narrowest place"),
             Some(w) => format!("no schedule without turning back: the hulls cross by {:.2}°", -w),
             None => "closed".into(),
@@ -200,11 +201,19 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     );
     let now_mm = format!(" (now {:.2} mm)", tool.shank_radius_mm);
     row("thickest shank that opens it", mm(found.shank_radius_mm, 2, "none, not even as thin as the ball") + &now_mm);
-    let travel = found.least_travel.map_or_else(
-        || "none, not even without limit".into(),
-        |t| format!("±{:.3} mm about {:.3} mm (no less than ±{:.3} mm)", t.half_mm, t.middle_mm, t.bound_mm),
-    );
-    row("least travel of Y that opens it", travel);
+    if let Some(corner) = &found.corner {
+        let now = format!(" (channel.contact_angle_max_deg, now {}°)", limit(options.settings.contact_angle_max_deg));
+        let least = corner.contact_deg.map_or_else(|| "none up to 60°".into(), |deg| format!("{deg:.1}°"));
+        row("least inclination that opens it", least + &now);
+        let now = format!(" with this corner (now {:.2} mm)", tool.radius_mm);
+        row("widest cutter that opens it", mm(corner.radius_mm, 2, "none, not even one as narrow as a ball") + &now);
+    } else {
+        let travel = found.least_travel.map_or_else(
+            || "none, not even without limit".into(),
+            |t| format!("±{:.3} mm about {:.3} mm (no less than ±{:.3} mm)", t.half_mm, t.middle_mm, t.bound_mm),
+        );
+        row("least travel of Y that opens it", travel);
+    }
     if let Some(f) = &found.farthest {
         row(
             "leads farthest",

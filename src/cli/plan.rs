@@ -151,15 +151,16 @@ fn print_summary(s: &Summary) {
     row("worst gouge", format!("{:.4} mm", s.gouge_mm));
     row("worst scallop", format!("{:.4} mm (asked {} mm)", s.scallop_max_mm, s.scallop_asked_mm));
     row("scallop, 99th percentile", format!("{:.4} mm", s.scallop_p99_mm));
-    // Of a cutter with a corner neither is measured.
-    if s.limit.ratio > 0.0 {
+    // Of a cutter with a corner neither these nor what stays uncut is measured.
+    let is_ball = s.disc_radius_mm == 0.0;
+    if is_ball {
         row("ridges, 5 % to 95 %", format!("{:.4} to {:.4} mm", s.limit.ridge_p05_mm, s.limit.ridge_p95_mm));
         row("length over the limit", format!("{:.4} (inner turns)", s.limit.ratio));
     }
     for other in &s.other_paths {
         row(&format!("  as {}, same scallop", other.kind.name()), format!("{:.4}", other.ratio_at_same_scallop));
     }
-    if s.limit.ratio > 0.0 {
+    if is_ball {
         row("uncut area", format!("{:.2} mm² (no ball of this radius reaches it)", s.uncut_area_mm2));
     }
     row("least clearance", format!("{:.3} mm", s.clearance_mm));

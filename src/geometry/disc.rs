@@ -26,6 +26,8 @@ pub struct Disc {
 /// Steps that the search for the nearest place of an edge takes at most; halving alone would end
 /// with all digits in so many.
 const MOST_STEPS: usize = 80;
+/// A ray's entry is known to this, mm.
+const ENTRY_MM: f64 = 1e-12;
 /// A triangle is parallel to the disc where the sine between their normals is less than this.
 const PARALLEL: f64 = 1e-12;
 
@@ -64,6 +66,32 @@ impl Disc {
     pub fn least_in_hull_mm(&self, near: &Point, hull: &[Point]) -> f64 {
         let (d, g) = self.distance_and_gradient(near);
         d + hull.iter().map(|p| g.dot(&(p - near))).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Where the ray from `p` along the unit vector `n` comes into what is nearer to the disc than
+    /// `room_mm`, mm; infinite where it passes by, negative where `p` lies within.
+    ///
+    /// Along the ray the distance is a convex function, so Newton's method comes to its root from
+    /// outside without going beyond it.
+    pub fn entry_mm(&self, p: &Point, n: &Vector, room_mm: f64) -> f64 {
+        // Nothing of it lies before this.
+        let mut t = (self.centre - p).dot(n) - self.radius_mm - room_mm;
+        for _ in 0..MOST_STEPS {
+            let (d, g) = self.distance_and_gradient(&(p + n * t));
+            let slope = g.dot(n);
+            if d <= room_mm {
+                break;
+            }
+            if !(slope < 0.0) {
+                return f64::INFINITY;
+            }
+            let step = (d - room_mm) / slope;
+            if -step <= ENTRY_MM {
+                break;
+            }
+            t -= step;
+        }
+        t
     }
 
     /// The point of a triangle that is nearest to the disc, and its distance, mm.
@@ -206,6 +234,27 @@ mod tests {
             prop_assert!(d.least_in_hull_mm(&p, &[p, q]) <= d.distance_mm(&nalgebra::center(&p, &q)) + 1e-12);
             let sides = [side.coords * 0.2, Vector::zeros(), Vector::zeros()];
             prop_assert!(d.least_in_box_mm(&p, &sides) <= d.distance_mm(&(p + sides[0] * 0.7)) + 1e-12);
+        }
+
+        /// Where a ray comes in, found by walking along it as far as the disc is away.
+        #[test]
+        fn rays_come_in_where_they_are_as_near_as_that(
+            d in disc(), p in point(), ray in point(), room_mm in 0.05..4.0f64,
+        ) {
+            let Some(n) = ray.coords.try_normalize(0.1) else { return Ok(()) };
+            let found = d.entry_mm(&p, &n, room_mm);
+            let mut t = -30.0;
+            for _ in 0..20_000 {
+                let left = d.distance_mm(&(p + n * t)) - room_mm;
+                if left < 1e-9 || t > 30.0 { break; }
+                t += left;
+            }
+            if t > 30.0 {
+                // One that grazes may be either.
+                prop_assert!(found.is_infinite() || (d.distance_mm(&(p + n * found)) - room_mm).abs() < 1e-6, "{found}");
+            } else {
+                prop_assert!((found - t).abs() < 1e-3 && d.distance_mm(&(p + n * found)) - room_mm < 1e-9, "{found} {t}");
+            }
         }
 
         #[test]

@@ -135,28 +135,6 @@ impl Visitor for Cuts<'_> {
 }
 
 impl<'a> DiscSearch<'a> {
-    /// A point of the part that is nearer to the disc than `cap_mm`; `spared` is a place about
-    /// which it is not looked on exact faces, no farther than so much, mm. Where a query halves too
-    /// many pieces without an answer, that place.
-    ///
-    /// A cutter touches at such a place, and to tell a touch from a cut takes most of a query.
-    pub fn cut(&mut self, disc: &Disc, cap_mm: f64, spared: (&Point, f64)) -> Option<Point> {
-        let mut look = Cuts { disc, cap_mm, spared, found: None };
-        let own = match &mut self.walker {
-            Some(walker) => {
-                let done = walker.visit(&mut look, MOST_CUTS);
-                look.found.or((!done).then_some(*spared.0))
-            }
-            None => {
-                let (best_mm, least_mm) = (cap_mm, f64::INFINITY);
-                let mut look = Nearest { disc, tolerance_mm: 0.0, best_mm, point: None, least_mm, found: 0 };
-                on_mesh(self.part, &mut look);
-                look.point
-            }
-        };
-        own.or_else(|| self.published.as_mut()?.cut(disc, cap_mm, spared))
-    }
-
     /// To a part.
     pub fn new(part: &'a Part) -> Self {
         let walker = part.exact().map(|(brep, exact)| Walker::new(exact, brep));
@@ -189,6 +167,28 @@ impl<'a> DiscSearch<'a> {
         };
         let near = NearDisc { least_mm: look.least_mm.min(near.distance_mm), ..near };
         (near.distance_mm <= cap_mm).then_some(near)
+    }
+
+    /// A point of the part that is nearer to the disc than `cap_mm`; `spared` is a place about
+    /// which it is not looked on exact faces, no farther than so much, mm. Where a query halves too
+    /// many pieces without an answer, that place.
+    ///
+    /// A cutter touches at such a place, and to tell a touch from a cut takes most of a query.
+    pub fn cut(&mut self, disc: &Disc, cap_mm: f64, spared: (&Point, f64)) -> Option<Point> {
+        let mut look = Cuts { disc, cap_mm, spared, found: None };
+        let own = match &mut self.walker {
+            Some(walker) => {
+                let done = walker.visit(&mut look, MOST_CUTS);
+                look.found.or((!done).then_some(*spared.0))
+            }
+            None => {
+                let (best_mm, least_mm) = (cap_mm, f64::INFINITY);
+                let mut look = Nearest { disc, tolerance_mm: 0.0, best_mm, point: None, least_mm, found: 0 };
+                on_mesh(self.part, &mut look);
+                look.point
+            }
+        };
+        own.or_else(|| self.published.as_mut()?.cut(disc, cap_mm, spared))
     }
 
     fn look(&mut self, look: &mut Nearest) {

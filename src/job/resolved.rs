@@ -139,7 +139,6 @@ impl Job {
             (!self.orientation.kind.goes_round(), "orientation.kind other than cone"),
             (self.feed.smooth, "feed.smooth"),
             (self.path.compare, "path.compare"),
-            (self.channel.sweep_b, "channel.sweep_b"),
             (self.channel.prove_moves, "channel.prove_moves, and schedules along a wall,"),
             (self.channel.exact_ends, "channel.exact_ends"),
             (self.channel.offset_mm.is_some(), "channel.offset_mm"),

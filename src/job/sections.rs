@@ -214,3 +214,10 @@ pub struct ToolKeys {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub holder: Option<Vec<HolderStage>>,
 }
+
+impl ToolKeys {
+    /// Radius of the corner, mm; `None`: a ball.
+    pub fn corner_mm(&self) -> Option<f64> {
+        self.corner_radius_mm.filter(|corner| Some(*corner) != self.radius_mm)
+    }
+}

@@ -86,7 +86,7 @@ pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, en
     let places = Places::new(blade, start_mm, end_mm);
     let reach_mm = blade.part.mesh.points.iter().map(|p| p.y.hypot(p.z)).fold(0.0, f64::max);
     let needed_mm = |r: f64| up_to_five(1.1 * reach_mm + 2.0 * r);
-    let corner = keys.corner_radius_mm.filter(|corner| Some(*corner) != keys.radius_mm);
+    let corner = keys.corner_mm();
     let mut warnings = Vec::new();
     let (cutter, why) = match keys.radius_mm {
         Some(r) => {
@@ -163,7 +163,7 @@ pub(super) fn balls_only(keys: &ToolKeys) -> Result<()> {
 /// # Errors
 /// `Usage`: what is wrong with the corner on any blade, with the limit.
 pub(super) fn check_corner(keys: &ToolKeys) -> Result<Option<Tool>> {
-    let Some(corner) = keys.corner_radius_mm.filter(|corner| Some(*corner) != keys.radius_mm) else { return Ok(None) };
+    let Some(corner) = keys.corner_mm() else { return Ok(None) };
     let Some(radius_mm) = keys.radius_mm else {
         return Err(Error::usage(Stage::Job, "tool.corner_radius_mm is given without tool.radius_mm")
             .advise("give the radius of the cutter too; a ball has no corner"));

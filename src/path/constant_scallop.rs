@@ -380,11 +380,11 @@ fn finish(
     let heights = |turn: Option<&Vec<Touch>>| -> Vec<f64> {
         turn.into_iter().flatten().map(|t| level.along.height_mm(&t.centre)).collect()
     };
-    let highest = heights(turns.first()).into_iter().fold(f64::NEG_INFINITY, f64::max);
+    let highest = heights(filled.first()).into_iter().fold(f64::NEG_INFINITY, f64::max);
     let Some(last) = turns.last().and_then(|t| t.last()) else {
         return Err(Error::infeasible(Stage::Path, "no helix was laid", Infeasible::NoHelix));
     };
-    let lowest = heights(turns.last()).into_iter().fold(level.along.height_mm(&last.centre), f64::min);
+    let lowest = heights(filled.last()).into_iter().fold(level.along.height_mm(&last.centre), f64::min);
     let (path, _) = helix::assemble(level, options, &filled, *last, [highest, lowest], reason);
     Ok(path)
 }

@@ -9,8 +9,8 @@ use super::{chords, curve};
 use crate::artifact::Cones;
 use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
 use crate::error::{Error, Result, Stage};
-use crate::geometry::Point;
 use crate::geometry::triangle::closest_on_segment;
+use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
 use crate::parallel;
 
@@ -153,13 +153,15 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
         let (upper, lower) = (&turns[k - 1], &turns[k]);
         let s_mm = curve::arc_lengths(lower.iter().map(|t| &t.centre));
         let mut at = 0usize;
-        let ridge = |t: &Touch| {
+        let ways = curve::tangents(None, upper, None);
+        let ridge = |(t, way): (&Touch, &Vector)| {
             let near = nearest_between_ends(lower, &s_mm, &t.centre, &mut at)?;
             // Off the chord and onto the level set, as for the rings.
             let on_level = level.touch(&near, 0.1 * level.radius_mm)?;
-            ridge_height(level, &Pass::pair(level, t, &on_level))
+            let beside = lower[at + 1].centre - lower[at].centre;
+            ridge_height(level, &[Pass::new(level, t, way), Pass::new(level, &on_level, &beside)])
         };
-        upper.iter().filter_map(ridge).collect()
+        upper.iter().zip(&ways).filter_map(ridge).collect()
     })
 }
 

@@ -9,8 +9,9 @@
 //! reach (sharp inner corners) does not count.
 
 use super::level::{LevelSet, Touch};
+use crate::geometry::disc::Disc;
 use crate::geometry::{Point, Vector};
-use crate::tool::inclination::Swept;
+use crate::tool::inclination::Bending;
 
 /// Places between two passes that are looked at; one does where the curvature is steady.
 const RIDGE_STEPS: usize = 9;
@@ -27,12 +28,124 @@ const EVEN: f64 = 0.01;
 /// The same under cutters with a corner: noise of their turns hardly fades from one to the next.
 const EVENLY: f64 = 1e-4;
 
+/// Stands of a cutter are this far apart, as a share of its corner's radius.
+const STAND: f64 = 0.2;
+/// What is left is known from three stands as far as so many from the one amid them.
+const NEAR_STANDS: f64 = 1.5;
+/// Where a stand farther off leaves less, others are looked at no farther off than this, so often.
+const MOST_STANDS: f64 = 8.0;
+const MOST_MOVES: usize = 6;
+
 /// A place of a pass, as its neighbour sees it.
 pub struct Pass {
     /// Centre of the ball, or of the corner that rolls over a disc.
     centre: Point,
-    /// A cutter with a corner, and how many times as high it is taken to leave what it does.
-    cutter: Option<(Swept, f64)>,
+    /// A cutter with a corner on its way there.
+    cutter: Option<Passing>,
+}
+
+/// A cutter with a corner on its way past a place: where it touches a step before the place, there,
+/// and a step beyond it, with its discs at the greatest contact angle.
+///
+/// What the cutter leaves over a point beside its pass is the least of what its stands leave, and
+/// grows as the square of the way from the one that leaves it. The part bends along the way, and
+/// the axis goes with the normal: round the edges of a blade both tell much.
+struct Passing {
+    touches: [Touch; 3],
+    discs: [Disc; 3],
+    way: Vector,
+    /// The contact there, and the unit vector across the line of contacts.
+    contact: Point,
+    across: Vector,
+    /// What passes are laid for leaves so much more at a distance `D` beside the line, over `D²/2`,
+    /// 1/mm ([`Inclined::curvatures`](crate::tool::inclination::Inclined::curvatures)).
+    more: f64,
+}
+
+impl Passing {
+    /// `None` where the level set has no place a step before or beyond.
+    fn new(level: &LevelSet, at: &Touch, way: &Vector) -> Option<Self> {
+        let (inclined, corner) = (level.inclined.as_ref()?, level.radius_mm);
+        // Square to the normal, or the cutter would come down and go up on its way.
+        let way = (way - at.normal * way.dot(&at.normal)).try_normalize(1e-9)?;
+        let touches = beside(level, at, &way)?;
+        let discs = touches.each_ref().map(|t| inclined.disc(&t.centre, &t.normal));
+        let bending = bending(&touches, corner);
+        let frame = bending.frame()?;
+        let sharp = inclined.curvatures(&round(level, at)?, &frame).map(|both| both.map(|c| bending.sharpness(&c)));
+        let more = match sharp {
+            Some([Some(own), Some(laid)]) => (laid - own).max(0.0),
+            _ => 0.0,
+        };
+        let contact = at.centre - at.normal * corner;
+        Some(Passing { touches, discs, way, contact, across: frame[1], more })
+    }
+
+    /// What it leaves over a place with the unit `normal`, mm; infinite where it passes by. Where
+    /// another stand leaves less, it is looked at from there.
+    fn leaves_mm(&self, level: &LevelSet, p: &Point, normal: &Vector) -> f64 {
+        let step_mm = STAND * level.radius_mm;
+        let of = |passing: &Passing| {
+            let (least, on) = least(passing.discs.each_ref().map(|d| d.entry_mm(p, normal, level.radius_mm)));
+            (least + 0.5 * passing.more * passing.across.dot(&(p - passing.contact)).powi(2), on)
+        };
+        let (mut best, mut on) = of(self);
+        let mut moved: Option<Passing> = None;
+        for _ in 0..MOST_MOVES {
+            if on.abs() <= NEAR_STANDS {
+                break;
+            }
+            let from = moved.as_ref().unwrap_or(self);
+            let next = &from.touches[if on > 0.0 { 2 } else { 0 }];
+            let ahead = (on.abs() - 1.0).min(MOST_STANDS) * step_mm;
+            let Some(to) = (next.centre - from.touches[1].centre).try_normalize(1e-9) else { break };
+            let there = level.touch(&(next.centre + to * ahead), ahead + step_mm);
+            let Some(there) = there.and_then(|t| Passing::new(level, &t, &from.way)) else { break };
+            let found = of(&there);
+            if !(found.0 < best) {
+                break;
+            }
+            (best, on) = found;
+            moved = Some(there);
+        }
+        best
+    }
+}
+
+/// Where a corner touches a step before a place, there, and a step beyond it, along a unit vector.
+fn beside(level: &LevelSet, at: &Touch, way: &Vector) -> Option<[Touch; 3]> {
+    let step_mm = STAND * level.radius_mm;
+    let to = |sign: f64| level.touch(&(at.centre + way * (sign * step_mm)), step_mm);
+    Some([to(-1.0)?, *at, to(1.0)?])
+}
+
+fn bending([before, at, beyond]: &[Touch; 3], corner_mm: f64) -> Bending {
+    Bending::of_corner(at.normal, beyond.centre - before.centre, beyond.normal - before.normal, corner_mm)
+}
+
+/// How the part bends along a turn, at the same height; `None` where the level set ends beside it.
+pub fn round(level: &LevelSet, at: &Touch) -> Option<Bending> {
+    Some(bending(&beside(level, at, &at.tangent(&level.along))?, level.radius_mm))
+}
+
+/// The least of what is left, by three stands one step from the other: that of the parabola through
+/// them, and how many steps beyond the one amid them it is.
+fn least([before, here, beyond]: [f64; 3]) -> (f64, f64) {
+    let (bend, slope) = (0.5 * (before + beyond) - here, 0.5 * (beyond - before));
+    if bend > 0.0 && bend.is_finite() {
+        let at = -0.5 * slope / bend;
+        let near = at.clamp(-NEAR_STANDS, NEAR_STANDS);
+        return (here + (slope + bend * near) * near, at);
+    }
+    let least = before.min(here).min(beyond);
+    let on = if least == here || !least.is_finite() {
+        0.0
+    } else if least == before {
+        -MOST_STANDS
+    } else {
+        MOST_STANDS
+    };
+    (least, on)
 }
 
 impl Pass {
@@ -41,31 +154,23 @@ impl Pass {
         Pass { centre: *centre, cutter: None }
     }
 
-    /// Two passes beside one another: they go on across the way from one to the other.
-    pub fn pair(level: &LevelSet, a: &Touch, b: &Touch) -> [Self; 2] {
-        Pass::along(level, [a, b], &(a.normal + b.normal).cross(&(b.centre - a.centre)))
+    /// Of a pass that goes on along `way`, of any length.
+    pub fn new(level: &LevelSet, at: &Touch, way: &Vector) -> Self {
+        Pass { centre: at.centre, cutter: Passing::new(level, at, way) }
     }
 
-    /// Two passes beside one another that both go on along `way`, of any length.
-    pub fn along(level: &LevelSet, [a, b]: [&Touch; 2], way: &Vector) -> [Self; 2] {
-        let way = way.try_normalize(1e-12);
-        let Some((inclined, way)) = level.inclined.zip(way) else { return [a, b].map(|t| Pass::of_ball(&t.centre)) };
-        let radii_mm = [inclined.disc_radius_mm, inclined.corner_radius_mm];
-        [a, b].map(|t| {
-            let (centre, axis) = inclined.stand(&t.centre, &t.normal);
-            // Square to the normal, or the cutter would come down and go up on its way.
-            let way = (way - t.normal * way.dot(&t.normal)).try_normalize(1e-9).unwrap_or(way);
-            let higher = inclined.higher(&t.normal, &way);
-            Pass { centre: t.centre, cutter: Some((Swept { centre, axis, way, radii_mm }, higher)) }
-        })
+    /// Two passes beside one another, taken to go on across the way from one to the other.
+    pub fn pair(level: &LevelSet, a: &Touch, b: &Touch) -> [Self; 2] {
+        let way = (a.normal + b.normal).cross(&(b.centre - a.centre));
+        [a, b].map(|t| Pass::new(level, t, &way))
     }
 
     /// What it leaves standing at a place of the part with the unit `normal`, mm; infinite where it
     /// passes by.
-    fn leaves_mm(&self, p: &Point, normal: &Vector, radius_mm: f64) -> f64 {
+    fn leaves_mm(&self, level: &LevelSet, p: &Point, normal: &Vector) -> f64 {
         match &self.cutter {
-            None => ray_into_ball(p, normal, &self.centre, radius_mm),
-            Some((swept, higher)) => higher * swept.entry_mm(p, normal),
+            None => ray_into_ball(p, normal, &self.centre, level.radius_mm),
+            Some(passing) => passing.leaves_mm(level, p, normal),
         }
     }
 }
@@ -101,7 +206,7 @@ fn ridge(level: &LevelSet, passes: &[Pass; 2], in_creases: bool) -> Option<f64> 
     let mut ridge: Option<f64> = None;
     for _ in 0..RIDGE_STEPS {
         let Some(between) = level.touch(&(a + (b - a) * share), reach) else { break };
-        let [of_a, of_b] = [0, 1].map(|k| passes[k].leaves_mm(&between.contact, &between.normal, level.radius_mm));
+        let [of_a, of_b] = [0, 1].map(|k| passes[k].leaves_mm(level, &between.contact, &between.normal));
         ridge = Some(ridge.map_or(of_a.min(of_b), |r| r.max(of_a.min(of_b))));
         if of_a.is_infinite() && of_b.is_infinite() {
             break;
@@ -130,7 +235,7 @@ fn ridge(level: &LevelSet, passes: &[Pass; 2], in_creases: bool) -> Option<f64> 
     }
     match (less, more) {
         (Some(l), Some(m)) if in_creases && l.is_over_a_crease(&m, level.radius_mm) => {
-            let under = l.crease(&m, passes, level.radius_mm);
+            let under = l.crease(&m, passes, level);
             Some(ridge.map_or(under, |r| r.max(under)))
         }
         // Between neighbouring facets the contact jumps; the ridge is between the two contacts.
@@ -163,7 +268,8 @@ impl BetweenPasses {
 
     /// The height that both passes leave over the ball between them, which touches here and at
     /// `more`: between its contacts it is the lowest that any ball comes to.
-    fn crease(&self, more: &BetweenPasses, passes: &[Pass; 2], radius_mm: f64) -> f64 {
+    fn crease(&self, more: &BetweenPasses, passes: &[Pass; 2], level: &LevelSet) -> f64 {
+        let radius_mm = level.radius_mm;
         // The ball that touches the planes of both contacts.
         let centres = [self, more].map(|s| s.contact + s.normal * radius_mm);
         let middle = nalgebra::center(&centres[0], &centres[1]);
@@ -176,7 +282,7 @@ impl BetweenPasses {
             let share = 0.5 * (low + high);
             let Some(normal) = self.normal.lerp(&more.normal, share).try_normalize(1e-6) else { break };
             let p = centre - normal * radius_mm;
-            let [of_a, of_b] = [0, 1].map(|k| passes[k].leaves_mm(&p, &normal, radius_mm));
+            let [of_a, of_b] = [0, 1].map(|k| passes[k].leaves_mm(level, &p, &normal));
             height = of_a.min(of_b);
             if of_a > of_b { high = share } else { low = share }
         }
@@ -211,10 +317,11 @@ pub fn flat_stepover_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
 
 /// The figure of many ridge heights that a pitch is judged by, mm: the greatest on exact faces; on
 /// a mesh the 99th percentile, since single ridges on the edges between facets tell of the facets
-/// and not of the part. 0 without heights.
+/// and not of the part. Of cutters with a corner too, since they are foreseen as if turns went
+/// straight on: where these bend sharply that is too much. 0 without heights.
 pub fn decisive_mm(level: &LevelSet, mut heights_mm: Vec<f64>) -> f64 {
     heights_mm.sort_by(f64::total_cmp);
-    let rank = if level.is_over_facets() { 0.99 } else { 1.0 };
+    let rank = if level.is_over_facets() || level.inclined.is_some() { 0.99 } else { 1.0 };
     let last = heights_mm.len().saturating_sub(1);
     heights_mm.get((last as f64 * rank).round() as usize).copied().unwrap_or(0.0)
 }

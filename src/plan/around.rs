@@ -54,6 +54,6 @@ impl Setup {
     pub fn widths(&self, plan: &Plan, observer: &dyn Observer) -> Result<Vec<Width>> {
         let (around, options, angles) = (self.surroundings()?, self.channel_options(), self.angles_b(REPORT_SWEEP_DEG));
         let leans = Leans { b_deg: &angles, places: REPORT_PLACES };
-        channel::sweep_b(&around, &self.job.tool, &plan.toolpath, &options, leans, observer)
+        channel::sweep_b(&around, &self.job.tool, &plan.toolpath.of_corner(), &options, leans, observer)
     }
 }

@@ -157,14 +157,9 @@ impl Setup {
 
     /// How a cutter with a corner leans; `None`: a ball.
     fn inclined(&self) -> Option<Inclined> {
-        let (job, tool) = (&self.job, &self.job.tool);
-        (!tool.is_ball()).then(|| Inclined {
-            disc_radius_mm: tool.disc_radius_mm(),
-            corner_radius_mm: tool.corner_mm(),
-            contact_rad: [job.channel.contact_angle_min_deg, job.channel.contact_angle_max_deg].map(f64::to_radians),
-            cone: Cone::about_blade(job.machine.b_deg.to_radians()),
-            rises: true,
-        })
+        let job = &self.job;
+        let contact_deg = [job.channel.contact_angle_min_deg, job.channel.contact_angle_max_deg];
+        Inclined::new(&job.tool, contact_deg, Cone::about_blade(job.machine.b_deg.to_radians()))
     }
 
     /// Options of the channel as the job and the machine have them.

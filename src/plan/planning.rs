@@ -259,10 +259,10 @@ pub(crate) fn channel_as_far_as_it_goes(
 }
 
 /// The channel by the exact faces, for a path on which it closes by their mesh, whose deflection is
-/// kept as room. `None` where there are none, where they have been asked already, or where the
-/// channel closes by them too.
+/// kept as room. `None` where there are none, where they have been asked already, where the channel
+/// closes by them too, and for cutters with a corner, whose ends are by the index.
 fn by_exact_faces(setup: &Setup, toolpath: &Toolpath, observer: &dyn Observer) -> Option<Result<Channel>> {
-    if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends {
+    if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends || !setup.job.tool.is_ball() {
         return None;
     }
     let planned = timed(observer, Stage::Channel, || channel_proven(setup, toolpath, &[], true, observer));

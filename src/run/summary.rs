@@ -160,6 +160,10 @@ pub struct Summary {
     pub scallop_p50_mm: f64,
     /// 5th percentile, mm.
     pub scallop_p05_mm: f64,
+    /// Radius of the disc that the corner of the cutter rolls over, mm; 0, and left out: a ball. Of
+    /// such a cutter nothing of `limit` and of what stays uncut is measured: they are 0.
+    #[serde(skip_serializing_if = "crate::artifact::toolpath::is_none")]
+    pub disc_radius_mm: f64,
     /// Length of the inner turns along their contacts beside the least that their area needs, with
     /// the ridges between them.
     pub limit: LimitFigures,
@@ -317,6 +321,7 @@ pub fn summary(
         scallop_p95_mm: report.scallop_p95_mm,
         scallop_p50_mm: report.scallop_p50_mm,
         scallop_p05_mm: report.scallop_p05_mm,
+        disc_radius_mm: path.disc_radius_mm,
         limit: report.limit,
         other_paths: Vec::new(),
         uncut_area_mm2: report.uncut_area_mm2,

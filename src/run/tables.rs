@@ -13,6 +13,15 @@ use crate::machine::Axis;
 pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
     let mut out = String::with_capacity(260 * plan.toolpath.locations.len() + 400);
     out.push_str("# bladewright cutter locations; model frame, mm; angles in degrees about the blade axis\n");
+    if plan.toolpath.disc_radius_mm > 0.0 {
+        let disc_mm = plan.toolpath.disc_radius_mm;
+        let _ = writeln!(
+            out,
+            "# c: centre of a disc of radius {disc_mm} mm square to the tool axis i, over which a corner of radius {} mm rolls; \
+             lengths S and s are those of the way of the corner's centre",
+            plan.toolpath.radius_mm
+        );
+    }
     if plan.toolpath.stock_mm > 0.0 {
         let _ = writeln!(out, "# contacts p lie on {} mm of stock that stay on the part", plan.toolpath.stock_mm);
     }

@@ -227,5 +227,16 @@ pub(super) fn touching(part: &Allowed, stands: &[Stand], tool: &Tool, near_mm: f
     parallel::flat_map(stands.chunks(CHUNK), chunk)
 }
 
+/// How far the part, with its stock, is off a cutter at each stand, mm, to `tolerance_mm`.
+pub(super) fn off_mm(part: &Allowed, stands: &[Stand], tool: &Tool, tolerance_mm: f64) -> Vec<f64> {
+    let room = tool.corner_mm() + part.stock_mm;
+    let chunk = |chunk: &[Stand]| {
+        let mut search = DiscSearch::new(part);
+        let mut near = |s: &Stand| search.closest(&tool.disc(s.centre, s.axis()), f64::INFINITY, tolerance_mm);
+        chunk.iter().map(|s| near(s).map_or(f64::INFINITY, |n| n.distance_mm - room)).collect::<Vec<f64>>()
+    };
+    parallel::flat_map(stands.chunks(CHUNK), chunk)
+}
+
 #[cfg(test)]
 mod tests;

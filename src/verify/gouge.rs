@@ -9,10 +9,7 @@
 //! whatever the part looks like. A move is halved until this bound is within the resolution of what
 //! has been measured.
 
-use super::options::VerifyOptions;
 use super::sweep::Sweep;
-use crate::artifact::report::Check;
-use crate::artifact::{Blade, CheckId, Obstacle};
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::parallel;
@@ -151,93 +148,6 @@ pub(super) fn where_it_is(part: &Allowed, centre: &Point, is_deep: bool) -> Stri
             format!("{face}{AS_PUBLISHED}: sew or repair the part in CAD, or allow as much with verify.gouge_mm")
         }
     }
-}
-
-/// The check `gouge`.
-pub(super) fn check(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &VerifyOptions) -> (Check, Gouge) {
-    let mut g = measure(part, sweep, options.settings.resolution_mm);
-    // The path is connected: if it starts outside and never comes near the surface, all of it is
-    // outside. Openings near the path are refused before planning, so the nearest surface tells the
-    // side of an open part too.
-    let inside = part.inside(&sweep.centres[0]);
-    if inside {
-        let d = part.closest(&sweep.centres[0], f64::INFINITY).map_or(0.0, |c| c.distance_mm);
-        let depth = sweep.radius_mm + d;
-        g = Gouge { found_mm: depth, bound_mm: depth, segment: 0, centre: sweep.centres[0] };
-    }
-    let at = part.closest(&g.centre, f64::INFINITY);
-    let point = at.map(|c| blade.model_from_blade * c.point);
-    let bound = g.bound_mm.max(g.found_mm).max(0.0);
-    let face = where_it_is(part, &g.centre, bound > options.settings.gouge_mm);
-    let inside = if inside { "the path lies inside the part; " } else { "" };
-    let stock = if part.stock_mm > 0.0 { format!("into {} mm of stock; ", part.stock_mm) } else { String::new() };
-    let note = format!("{inside}{stock}measured {:.6}, nowhere deeper than {bound:.6}; {face}", g.found_mm.max(0.0));
-    let quantity = "depth of the swept ball in the part, between locations too";
-    let check = Check {
-        row: Some(g.segment),
-        turn: sweep.turns.get(g.segment).copied(),
-        point_mm: point.map(|p| [p.x, p.y, p.z]),
-        ..Check::at_most(CheckId::Gouge, quantity, bound, options.settings.gouge_mm, "mm", note)
-    };
-    (check, g)
-}
-
-/// The deepest cut of the ball into what stands about the part, but for the stock: the body, how
-/// deep at most, mm, with what its triangles lie off it, and where. Negative: room. `None` where
-/// nothing stands there.
-pub(super) fn in_obstacles<'o>(
-    obstacles: &'o [Obstacle],
-    sweep: &Sweep,
-    resolution_mm: f64,
-) -> Option<(&'o Obstacle, f64, Gouge)> {
-    let one = |o: &'o Obstacle| {
-        let part = Allowed::new(&o.part, 0.0);
-        let start = sweep.centres[0];
-        let mut g = measure(&part, sweep, resolution_mm);
-        if part.inside(&start) {
-            let d = part.closest(&start, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
-            g = Gouge { found_mm: sweep.radius_mm + d, bound_mm: sweep.radius_mm + d, segment: 0, centre: start };
-        }
-        (o, g.bound_mm.max(g.found_mm) + o.part.deflection_mm, g)
-    };
-    let solid = obstacles.iter().filter(|o| !o.cut_by_the_tool);
-    solid.map(one).reduce(|a, b| if b.1 > a.1 { b } else { a })
-}
-
-/// The check `other-blade`: how far a part is off the ball at the cutter locations, where that
-/// should touch it.
-pub(super) fn check_touches(blade: &Blade, part: &Allowed, sweep: &Sweep, options: &VerifyOptions) -> Check {
-    let off = |c: &Point| part.closest(c, f64::INFINITY).map_or(f64::INFINITY, |p| p.distance_mm - sweep.radius_mm);
-    let off_mm = parallel::map(&sweep.centres, off);
-    let (row, worst) = off_mm.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or((0, 0.0), |(k, v)| (k, *v));
-    let note = "plan a blade that differs by itself: --axis chooses it".to_owned();
-    let quantity = "distance of the blade from the ball where that touches the blade that was planned";
-    let point = sweep.centres.get(row).map(|c| blade.model_from_blade * c);
-    Check {
-        row: Some(row),
-        turn: sweep.turns.get(row).copied(),
-        point_mm: point.map(|p| [p.x, p.y, p.z]),
-        ..Check::at_most(CheckId::OtherBlade, quantity, worst.max(0.0), options.settings.gouge_mm, "mm", note)
-    }
-}
-
-/// The check `obstacle-gouge`: the ball in what stands about the part; `None` where nothing does.
-pub(super) fn check_obstacles(
-    blade: &Blade,
-    obstacles: &[Obstacle],
-    sweep: &Sweep,
-    options: &VerifyOptions,
-) -> Option<Check> {
-    let (o, depth, g) = in_obstacles(obstacles, sweep, options.settings.resolution_mm)?;
-    let point = o.part.closest(&g.centre, f64::INFINITY).map(|c| blade.model_from_blade * c.point);
-    let note = format!("nearest is {}; {:.6} mm of that for its triangles", o.name, o.part.deflection_mm);
-    let quantity = "depth of the swept ball in other bodies, between locations too; negative: room";
-    Some(Check {
-        row: Some(g.segment),
-        turn: sweep.turns.get(g.segment).copied(),
-        point_mm: point.map(|p| [p.x, p.y, p.z]),
-        ..Check::at_most(CheckId::ObstacleGouge, quantity, depth, 0.0, "mm", note)
-    })
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@
 
 use super::apart::{Apart, apart};
 use super::clearance::{self, NearestApproach, Track};
-use super::cornered;
+use super::cuts::{self, EndWay};
 use super::gouge;
 use super::options::VerifyOptions;
 use super::sweep::Sweep;
@@ -74,29 +74,24 @@ impl LeadWay {
         clearance::kept(track, a.part, &a.segments, limit_mm, room.options)
     }
 
-    /// The way of a ball.
+    /// The way of the ball, or of the disc's centre.
     fn sweep(&self, room: &Room) -> Sweep {
         let centres: Vec<Point> = self.stands.iter().map(|s| s.centre).collect();
         let turns = vec![0; centres.len()];
-        Sweep::of(centres.clone(), centres, turns, room.tool.radius_mm, None)
+        Sweep::of(centres.clone(), centres, turns, room.tool.corner_mm(), None)
     }
 
     fn gouge(&self, room: &Room) -> gouge::Gouge {
-        let (part, resolution_mm) =
-            (Allowed::new(&room.blade.part, room.stock_mm), room.options.settings.resolution_mm);
-        match room.tool.is_ball() {
-            true => gouge::measure(&part, &self.sweep(room), resolution_mm),
-            false => cornered::deepest(&part, room.tool, &self.stands, resolution_mm),
-        }
+        let part = Allowed::new(&room.blade.part, room.stock_mm);
+        let sweep = self.sweep(room);
+        EndWay::new(room.tool, &sweep, &self.stands).deepest(&part, room.options.settings.resolution_mm)
     }
 
-    /// The deepest cut of the ball into other bodies: see [`gouge::in_obstacles`].
+    /// The deepest cut of the ball into other bodies: see [`cuts::in_obstacles`].
     fn in_obstacles<'a>(&self, room: &Room<'a>) -> Option<(&'a Obstacle, f64, gouge::Gouge)> {
-        let resolution_mm = room.options.settings.resolution_mm;
-        match room.tool.is_ball() {
-            true => gouge::in_obstacles(room.obstacles, &self.sweep(room), resolution_mm),
-            false => cornered::in_obstacles(room.obstacles, room.tool, &self.stands, resolution_mm),
-        }
+        let sweep = self.sweep(room);
+        let way = EndWay::new(room.tool, &sweep, &self.stands);
+        cuts::in_obstacles(room.obstacles, &way, room.options.settings.resolution_mm)
     }
 }
 

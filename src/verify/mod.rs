@@ -43,6 +43,7 @@ pub mod audit;
 mod clearance;
 mod cornered;
 mod curve;
+mod cuts;
 mod cutter;
 mod deviation;
 mod gouge;
@@ -86,6 +87,8 @@ pub use ridge::{RidgeAt, ridges, ridges_p99};
 pub use settings::{VerifyKeys, VerifySettings};
 pub(crate) use turning::{BLEND_S, inner_turns};
 pub use verdict::{Rejected, Verdict, Verified};
+
+use cuts::EndWay;
 
 use crate::artifact::{Blade, CheckReport, Obstacle, Plan};
 use crate::error::{Error, Result, Stage};
@@ -146,19 +149,21 @@ pub fn check_among(
     };
     step(0)?;
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
+    let (sweep, stands) = (sweep::Sweep::new(&plan.toolpath), plan.stands());
+    let way = EndWay::new(tool, &sweep, &stands);
+    let check = cuts::check(blade, &part, &way, options);
+    // What is told is what was proven, not the best that was measured.
+    report.gouge_mm = check.worst;
+    report.checks.push(check);
+    report.checks.extend(cuts::check_obstacles(blade, obstacles, &way, options));
+    step(1)?;
     if tool.is_ball() {
-        let sweep = sweep::Sweep::new(&plan.toolpath);
-        let (check, _) = gouge::check(blade, &part, &sweep, options);
-        // What is told is what was proven, not the best that was measured.
-        report.gouge_mm = check.worst;
-        report.checks.push(check);
-        report.checks.extend(gouge::check_obstacles(blade, obstacles, &sweep, options));
-        step(1)?;
         if let Some(doubt) = scallop::check(&plan, blade, &part, &sweep, options, &mut report) {
             observer.warn(Warning { stage: Stage::Verify, doubt });
         }
     } else {
-        cornered::check(&plan, blade, obstacles, tool, options, &mut report);
+        let of = cornered::Stands { tool, stands: &stands, sweep: &sweep };
+        cornered::check(&plan, blade, &part, &of, options, &mut report);
     }
     step(2)?;
     let apart = apart::apart(blade, obstacles, tool, options);
@@ -209,16 +214,12 @@ pub fn on_other_blade(
             |o: &Obstacle| if o.of_the_wheel { o.clone() } else { Obstacle { part: seen(&o.part), ..o.clone() } };
         let obstacles: Vec<Obstacle> = obstacles.iter().map(about).collect();
         let stock_mm = first.toolpath.stock_mm;
-        let mut again = Vec::new();
-        if tool.is_ball() {
-            let (part, sweep) = (Allowed::new(&blade.part, stock_mm), sweep::Sweep::new(&first.toolpath));
-            again.push(gouge::check(blade, &part, &sweep, options).0);
-            again.extend(own.then(|| gouge::check_touches(blade, &part, &sweep, options)));
-            again.extend(gouge::check_obstacles(blade, &obstacles, &sweep, options));
-        } else {
-            again.extend(cornered::gouges(first, blade, &obstacles, tool, options));
-            again.extend(own.then(|| cornered::touches(first, blade, tool, options)));
-        }
+        let (part, sweep) = (Allowed::new(&blade.part, stock_mm), sweep::Sweep::new(&first.toolpath));
+        let stands = first.stands();
+        let way = EndWay::new(tool, &sweep, &stands);
+        let mut again = vec![cuts::check(blade, &part, &way, options)];
+        again.extend(own.then(|| cuts::check_touches(blade, &part, &way, options)));
+        again.extend(cuts::check_obstacles(blade, &obstacles, &way, options));
         again.extend(clearance::check(first, blade, &apart::apart(blade, &obstacles, tool, options), options).0);
         let room = lead::Room { blade, stock_mm, obstacles: &obstacles, tool, machine, options };
         again.extend(lead::check(first, &room));
@@ -237,11 +238,13 @@ pub fn on_other_blade(
 /// stays uncut were measured. Its figures stay as they are.
 pub fn places(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOptions, report: &mut CheckReport) {
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
-    if !tool.is_ball() {
-        report.scallop = cornered::height_places(plan, &part, tool, options);
-        return;
+    let sweep = sweep::Sweep::new(&plan.toolpath);
+    if tool.is_ball() {
+        scallop::measure(&part, &sweep, options, report);
+    } else {
+        let of = cornered::Stands { tool, stands: &plan.stands(), sweep: &sweep };
+        report.scallop = cornered::places(&part, &of, options);
     }
-    scallop::measure(&part, &sweep::Sweep::new(&plan.toolpath), options, report);
 }
 
 /// Every list has one row per location, rows of the motion have a column for each axis of the

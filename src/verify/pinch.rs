@@ -18,7 +18,7 @@ use parry3d_f64::shape::SupportMap;
 
 use super::apart::{Apart, apart};
 use super::clearance::{Track, kept};
-use super::gouge;
+use super::cuts::{self, EndWay};
 use super::height::{Height, REACH_SLACK, percentile, sort};
 use super::options::VerifyOptions;
 use super::ridge::{Ridges, apart_mm};
@@ -96,8 +96,8 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         );
         let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
         let name = |check: Check| Check { quantity: format!("tool {}: {}", tool + 1, check.quantity), ..check };
-        checks.push(name(gouge::check(work.blade, &part, &sweep, options).0));
-        checks.extend(gouge::check_obstacles(work.blade, work.obstacles, &sweep, options).map(name));
+        checks.push(name(cuts::check(work.blade, &part, &EndWay::of_ball(&sweep), options)));
+        checks.extend(cuts::check_obstacles(work.blade, work.obstacles, &EndWay::of_ball(&sweep), options).map(name));
         let heights = ridges(&part, &sweep, options.scallop_mm);
         figures.ridges_mm[tool] = [0.05, 0.5, 0.95, 0.99, 1.0].map(|q| percentile(&heights, q));
         if let Some(last) = heights.last() {

@@ -5,13 +5,14 @@
 
 use std::ops::Range;
 
+use super::apart;
 use super::clearance::{Track, kept};
+use super::cuts::{self, EndWay};
 use super::options::VerifyOptions;
 use super::pinch::PinchWork;
 use super::pinch_channels as channels;
 use super::pinch_read::{Line, Read, read};
 use super::sweep::Sweep;
-use super::{apart, gouge};
 use crate::artifact::paired::PinchMotion;
 use crate::artifact::report::Check;
 use crate::artifact::{AxisCheck, CheckId, PartAmong, Stand};
@@ -393,7 +394,7 @@ fn ways(work: &PinchWork, poses: &[Option<[Pose; 2]>], found: &Matched, options:
         let sweep =
             Sweep::of(centres.clone(), centres, vec![0; stands.len()], work.tools[j].radius_mm, Some(wanted.clone()));
         let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
-        checks.push(name(gouge::check(work.blade, &part, &sweep, options).0, CheckId::LeadGouge));
+        checks.push(name(cuts::check(work.blade, &part, &EndWay::of_ball(&sweep), options), CheckId::LeadGouge));
         let track = Track { stands: &stands, wanted: Some(&wanted) };
         for a in apart(work.blade, work.obstacles, work.tools[j], options) {
             let limit = options.least_clearance(a.asked_mm);

@@ -127,18 +127,17 @@ fn turns(plan: &Plan, blade: &Blade) -> Check {
 /// Contacts and normals.
 fn contacts(plan: &Plan, blade: &Blade, tool: &Tool) -> Check {
     let path = &plan.toolpath;
+    // A contact by the centre; where the tool is no ball, by its axis too.
+    let want = |row: usize| {
+        let l = &path.locations[row];
+        let of_ball = l.centre - l.normal * path.radius_mm;
+        let stand = plan.stand(row).filter(|_| !tool.is_ball());
+        let centre = stand.and_then(|s| tool.centre_at(&l.contact, &l.normal, &s.axis(), None));
+        centre.map_or(of_ball, |centre| l.contact + (l.centre - centre))
+    };
     let off = |row: usize| {
         let l = &path.locations[row];
-        // Where the corner has its centre, by the disc's.
-        let corner = match plan.stand(row).filter(|_| !tool.is_ball()) {
-            Some(stand) => {
-                l.centre
-                    + (l.contact + l.normal * path.radius_mm
-                        - tool.centre_at(&l.contact, &l.normal, &stand.axis(), None).unwrap_or(l.contact))
-            }
-            None => l.centre,
-        };
-        let along = (corner - l.normal * path.radius_mm - l.contact).norm().max((l.normal.norm() - 1.0).abs());
+        let along = (want(row) - l.contact).norm().max((l.normal.norm() - 1.0).abs());
         let near = blade.part.closest(&l.contact, path.stock_mm + FAR_MM);
         along.max(near.map_or(f64::MAX, |c| (c.distance_mm - path.stock_mm).abs()))
     };
@@ -147,11 +146,12 @@ fn contacts(plan: &Plan, blade: &Blade, tool: &Tool) -> Check {
         let off = if off.is_nan() { f64::MAX } else { *off };
         if off > best.0 { (off, row) } else { best }
     });
-    let quantity = "distance of a contact from the part with its stock, or from the ball along its normal";
+    let quantity =
+        "distance of a contact from the part with its stock, or from where the tool touches along its normal";
     let says = |l: &CutterLocation| {
-        let want = l.centre - l.normal * path.radius_mm;
-        let [is, want] = [l.contact, want].map(|p| format!("({:.6}, {:.6}, {:.6})", p.x, p.y, p.z));
-        format!("plan.json, location {}: contact {is}, by centre and normal {want}, blade frame", worst.1)
+        let [is, want] = [l.contact, want(worst.1)].map(|p| format!("({:.6}, {:.6}, {:.6})", p.x, p.y, p.z));
+        let by = if tool.is_ball() { "centre and normal" } else { "centre, normal and tool axis" };
+        format!("plan.json, location {}: contact {is}, by {by} {want}, blade frame", worst.1)
     };
     let off = plan.curve.as_ref().map_or(0.0, |c| c.proof.inwards_mm.max(c.proof.outwards_mm));
     let limit = CONTACT_MM + off.clamp(0.0, OFF_SHARE * path.scallop_mm);

@@ -43,7 +43,10 @@ impl Front<'_> {
         };
         let least = if self.follows_corners() { OVERRUN_CORNERS } else { OVERRUN };
         let overruns = |chain: &Overrun, i: usize, node: &Node| {
-            let way = (node.touch.centre - turn[i].touch.centre).norm();
+            let way = node.touch.centre - turn[i].touch.centre;
+            // Cutters with a corner have their neighbours aslant across the turn.
+            let is_aslant = self.across.level.inclined.is_some();
+            let way = if is_aslant { way.cross(&along[i]).norm() } else { way.norm() };
             node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, least * way)
         };
         let mut end = turn.len() - 1;

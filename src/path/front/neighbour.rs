@@ -7,11 +7,13 @@
 //! the curve turns fast (a fillet hardly larger than the ball) or has a corner (one smaller than
 //! the ball) it is walked in short steps instead, and from a corner on along the other wall.
 
+use nalgebra::{Matrix2, Vector2};
+
 use super::fineness::{Fineness, STILL};
 use crate::geometry::{Point, Vector};
 use crate::path::bounds::{Bounds, STEP_RAD, Stop};
 use crate::path::level::{LevelSet, Touch};
-use crate::path::stepover::{Pass, ridge_over_creases};
+use crate::path::stepover::{Pass, ridge_over_creases, round};
 
 /// Turn of the normal up to which a neighbour is sought by a single step, rad.
 const STRAIGHT_RAD: f64 = 0.5;
@@ -32,13 +34,11 @@ const NEAR: f64 = 1.5;
 const UPRIGHT: f64 = 0.5;
 /// Halvings towards the place where the ball begins to roll over an edge.
 const EDGE_HALVINGS: usize = 16;
-/// Sine of a lean, at least, that has a direction.
-const LEAST_LEAN: f64 = 1e-3;
 /// Distance at which the bend of the part is looked at, as a share of the corner's radius.
 const NEAR_BY: f64 = 0.02;
 /// Cosine between the way to a neighbour and the direction square to a turn, at least: where a
 /// cutter leans aside more than along its way neighbours are sought square to it.
-const LEAST_ASIDE: f64 = 0.5;
+const LEAST_ASIDE: f64 = 0.15;
 /// Halvings towards a bound: the stepover times 10⁻⁸.
 const HALVINGS: usize = 27;
 
@@ -214,7 +214,7 @@ impl Across<'_> {
 
     /// The ridge between a place of a turn and one of the next.
     fn ridge(&self, from: &Heading, to: &Touch) -> Option<f64> {
-        ridge_over_creases(self.level, &Pass::along(self.level, [&from.touch, to], &from.along))
+        ridge_over_creases(self.level, &[&from.touch, to].map(|t| Pass::new(self.level, t, &from.along)))
     }
 
     /// The unit direction in which the neighbour of a place lies, and that across the plane in
@@ -225,25 +225,24 @@ impl Across<'_> {
     /// the next turn, and bends grow.
     ///
     /// Contacts `x` go as the corner's centres `(I + r S) x`, with the part's shape `S`. Seen by
-    /// centres, with `M = (I + r S)⁻¹`, `M K M = M/r − (1/r − k) (M p)(M p)ᵀ`: `k` is the cutter's
-    /// curvature across its lean, in the direction `p` ([`crate::tool::stepover`]).
+    /// centres, with `M = (I + r S)⁻¹` and the cutter's curvatures `T`, `K` is
+    /// `M T M + (M − M²)/r`.
     fn ways(&self, from: &Heading) -> Option<[Vector; 2]> {
         let normal = &from.touch.normal;
         let square = from.along.cross(normal).try_normalize(1e-6)?;
         let Some(inclined) = self.level.inclined else { return Some([square, from.along]) };
-        let corner = self.level.radius_mm;
-        let (_, axis) = inclined.stand(&from.touch.centre, normal);
-        let lean = axis.cross(normal);
-        let sine = lean.norm();
+        let frame = [square, normal.cross(&square)];
         let conjugate = || {
-            let (p, way) = (lean / sine, normal.cross(&square));
-            let flat = sine / (inclined.disc_radius_mm + corner * sine);
-            let [of_way, of_p] = [self.shrunk(from, &way)?, self.shrunk(from, &p)?];
-            let by = of_way / corner - of_p * ((1.0 / corner - flat) * of_p.dot(&way));
+            let laid = inclined.curvatures(&round(self.level, &from.touch)?, &frame)?[1];
+            let [a, b] = [self.shrunk(from, &frame[0])?, self.shrunk(from, &frame[1])?];
+            let seen = |v: &Vector| Vector2::new(v.dot(&frame[0]), v.dot(&frame[1]));
+            let m = Matrix2::from_columns(&[seen(&a), seen(&b)]);
+            let m = 0.5 * (m + m.transpose());
+            let by = (m * laid * m + (m - m * m) / self.level.radius_mm) * Vector2::y();
+            let by = frame[0] * by.x + frame[1] * by.y;
             by.cross(normal).try_normalize(1e-9)
         };
-        let side = (sine > LEAST_LEAN).then(conjugate).flatten();
-        let side = side.filter(|side| side.dot(&square).abs() > LEAST_ASIDE);
+        let side = conjugate().filter(|side| side.dot(&square).abs() > LEAST_ASIDE);
         let side = side.map_or(square, |side| side * side.dot(&square).signum());
         Some([side, normal.cross(&side)])
     }

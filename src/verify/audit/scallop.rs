@@ -86,7 +86,8 @@ pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
     let ends = near_ends(sweep, reach + (2.0 * radius * NEAR_MM).sqrt());
     let height = |s: &Sample| {
         let q = s.point + s.normal * radius;
-        let (leg, gap_mm) = between(sweep, &q, reach, |leg, _| ends.get(leg) == Some(&false))?;
+        let (leg, gap_mm) =
+            between(sweep, &q, reach, |legs| legs.iter().all(|(leg, _)| ends.get(*leg) == Some(&false)))?;
         let raw = sweep.entry(&s.point, &s.normal, reach)?;
         // What no ball of this radius could reach is no fault of the passes.
         let up = lift(&scene.part, &s.point, &s.normal, radius, REACH_SLACK * widest);
@@ -121,12 +122,12 @@ fn near_ends(sweep: &Sweep, way_mm: f64) -> Vec<bool> {
 }
 
 /// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its
-/// two sides are apart; `None` where one of them is not `inside` a pass: near its end.
+/// two sides are apart; `None` where the two are not `beside` passes: near an end of one.
 pub(in crate::verify) fn between(
     sweep: &Sweep,
     q: &Point,
     reach_mm: f64,
-    inside: impl Fn(usize, &Point) -> bool,
+    beside: impl Fn([(usize, &Point); 2]) -> bool,
 ) -> Option<(usize, f64)> {
     type Near = (f64, usize, Point);
     let near: Vec<Near> = sweep.all_near(q, reach_mm).into_iter().map(|(leg, c)| ((c - q).norm(), leg, c)).collect();
@@ -135,7 +136,7 @@ pub(in crate::verify) fn between(
     let side = c - q;
     let across = |(e, _, other): &&Near| *e > 1e-9 && (other - q).dot(&side) <= OPPOSITE * d * e;
     let (e, other, at) = near.iter().filter(across).min_by(nearer)?;
-    (inside(leg, &c) && inside(*other, at)).then_some((leg, d + e))
+    beside([(leg, &c), (*other, at)]).then_some((leg, d + e))
 }
 
 /// The checks `scallop` and `scallop-turn`, where a scallop is asked for.
@@ -225,7 +226,7 @@ mod tests {
         let wanted = (0..81).map(|i| i != 40).collect();
         let sweep = Sweep::of(rows.clone(), rows, vec![0; 82], 1.0, Some(wanted));
         let ends = near_ends(&sweep, 3.0);
-        let q = |x: f64| between(&sweep, &Point::new(x, 0.4, 0.0), 2.0, |leg, _| !ends[leg]);
+        let q = |x: f64| between(&sweep, &Point::new(x, 0.4, 0.0), 2.0, |legs| legs.iter().all(|(leg, _)| !ends[*leg]));
         assert!(q(20.5).is_some_and(|(_, gap)| (gap - 1.0).abs() < 1e-9));
         assert_eq!((q(1.5), q(39.2)), (None, None));
     }

@@ -43,6 +43,8 @@ const MOST_STEPS: usize = 60;
 /// Steps of the golden section; each leaves 0.618 of the leg.
 const GOLDEN_STEPS: usize = 24;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Within a bend the way from side to side is less than so many times their distance.
+const WITHIN: f64 = 4.0;
 /// Heights are looked for up to so many times the scallop, and up to this, mm.
 const HIGHEST_TIMES: f64 = 20.0;
 const HIGHEST_MM: f64 = 0.5;
@@ -193,12 +195,21 @@ pub(in crate::verify) fn heights(scene: &Passes, passes: &Sweep) -> Heights {
     // Beside the ends of passes the cutter comes down or goes up, and beyond is nothing to be cut.
     let ways = [true, false].map(|forwards| ways(&way, forwards));
     let far_in = reach + (2.0 * radius * NEAR_MM).sqrt();
-    let inside = |leg: usize, at: &Point| {
-        let from = |k: usize, end: usize| ways[k][end] + (at - way.centres[end]).norm();
-        from(0, leg).min(from(1, leg + 1)) >= far_in
+    let pass = (0..stands.len()).scan(0, |pass, i| {
+        *pass += usize::from(!way.counts(i));
+        Some(*pass)
+    });
+    let pass: Vec<usize> = pass.collect();
+    let from = |k: usize, end: usize, at: &Point| ways[k][end] + (at - way.centres[end]).norm();
+    let inside = |(leg, at): (usize, &Point)| from(0, leg, at).min(from(1, leg + 1, at)) >= far_in;
+    let beside = |[a, b]: [(usize, &Point); 2]| {
+        // Within a bend of one pass a place is not between passes.
+        let round_mm = (from(0, a.0, a.1) - from(0, b.0, b.1)).abs();
+        let is_one = pass[a.0] == pass[b.0];
+        inside(a) && inside(b) && !(is_one && round_mm < WITHIN * (a.1 - b.1).norm())
     };
     let height = |s: &Sample| {
-        let (leg, gap_mm) = between(&way, &s.point, reach, inside)?;
+        let (leg, gap_mm) = between(&way, &s.point, reach, beside)?;
         let height_mm = swept.height_mm(&s.point, &s.normal, far)?;
         Some(Height { height_mm, point: s.point, leg, gap_mm })
     };

@@ -155,11 +155,17 @@ fn check_cards(input: &ReportInput, cards: &mut String) {
     let f = |pointer: &str| figure(&input.summary, pointer);
     let asked = format!("{} asked for; 99 % at most {}", f("/scallop_asked_mm"), f("/scallop_p99_mm"));
     card(cards, "Greatest scallop", &format!("{} mm", f("/scallop_max_mm")), &asked);
-    card(cards, "Length over the limit", &f("/limit/ratio"), "inner turns beside the least that their area needs");
+    // Of a cutter with a corner neither the limit nor what stays uncut is measured.
+    let is_ball = !(value(input, "/disc_radius_mm") > 0.0);
+    if is_ball {
+        card(cards, "Length over the limit", &f("/limit/ratio"), "inner turns beside the least that their area needs");
+    }
     card(cards, "Deepest gouge", &format!("{} mm", f("/gouge_mm")), "");
-    let most = format!("no ball of this radius reaches it; at most {} mm are left", f("/uncut_height_mm"));
-    let uncut = value(input, "/uncut_area_mm2") > 0.0;
-    card(cards, "Uncut", &format!("{} mm²", f("/uncut_area_mm2")), if uncut { &most } else { "" });
+    if is_ball {
+        let most = format!("no ball of this radius reaches it; at most {} mm are left", f("/uncut_height_mm"));
+        let uncut = value(input, "/uncut_area_mm2") > 0.0;
+        card(cards, "Uncut", &format!("{} mm²", f("/uncut_area_mm2")), if uncut { &most } else { "" });
+    }
     card(cards, "Least clearance", &format!("{} mm", f("/clearance_mm")), "tool without ball");
 }
 

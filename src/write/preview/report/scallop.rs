@@ -53,12 +53,12 @@ pub(super) fn section(input: &ReportInput) -> String {
         return out;
     };
     let asked = input.plan.map_or(f64::NAN, |p| p.toolpath.scallop_mm);
+    let is_ball = input.plan.is_none_or(|p| p.toolpath.disc_radius_mm == 0.0);
     let row = |name: &str, surface: &str, ridge: &str| {
-        format!(
-            "<tr><th scope=\"row\">{name}</th><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-            figure(&input.verify, surface),
-            figure(&input.verify, ridge)
-        )
+        let ridge = format!("<td class=\"n\">{}</td>", figure(&input.verify, ridge));
+        let ridge = if is_ball { &ridge } else { "" };
+        let surface = figure(&input.verify, surface);
+        format!("<tr><th scope=\"row\">{name}</th><td class=\"n\">{surface}</td>{ridge}</tr>\n")
     };
     let rows = [
         row("greatest", "/scallop_max_mm", "/ridge_max_mm"),
@@ -67,17 +67,28 @@ pub(super) fn section(input: &ReportInput) -> String {
         row("median", "/scallop_p50_mm", "/ridge_p50_mm"),
         row("5 %", "/scallop_p05_mm", "/ridge_p05_mm"),
     ];
+    let [ridges, column] = match is_ball {
+        true => [
+            " and on the ridges between neighbouring turns (the 95 % of the ridges: inner turns alone)",
+            "<th scope=\"col\" class=\"n\">ridges, mm</th>",
+        ],
+        false => [""; 2],
+    };
     out.push_str(&format!(
-        "<p>Height left over the part in the machined band, mm, at {} points of the surface and on the ridges between neighbouring \
-         turns (the 95 % of the ridges: inner turns alone). Asked for: {} mm.</p>\n\
+        "<p>Height left over the part in the machined band, mm, at {} points of the surface{ridges}. \
+         Asked for: {} mm.</p>\n\
          <table class=\"percentiles\"><thead><tr><th scope=\"col\">Percentile</th><th scope=\"col\" class=\"n\">surface, mm</th>\
-         <th scope=\"col\" class=\"n\">ridges, mm</th></tr></thead><tbody>\n{}</tbody></table>\n\
+         {column}</tr></thead><tbody>\n{}</tbody></table>\n\
          <div class=\"pair\"><div><h3>How often</h3><div class=\"chart\" id=\"chart-histogram\"></div></div>\
          <div><h3>Where</h3><div class=\"chart\" id=\"chart-map\"></div></div></div>\n",
         figure(&input.verify, "/scallop_samples"),
         number(asked),
         rows.concat()
     ));
+    if !is_ball {
+        out.push_str("</section>\n");
+        return out;
+    }
     out.push_str(&format!(
         "<p>Inner turns: {} mm along the contacts over {} mm²; the least for that area and scallop is {} mm (from the {}), so the \
          path is {} times as long as it must be.</p></section>\n",
