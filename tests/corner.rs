@@ -139,7 +139,7 @@ fn what_is_for_balls_only_is_refused_before_anything_is_planned() {
 fn a_cutter_that_leans_aside_leaves_no_more_than_is_asked_for() {
     for direction in ["climb", "conventional"] {
         let direction = format!("path.direction=\"{direction}\"");
-        let setup = prism(&[&BULL[..], &["machine.b_deg=4", &direction]].concat());
+        let setup = prism(&[&BULL[..], &["machine.b_deg=4", "region.start_mm=24", &direction]].concat());
         let Verdict::Passed(plan) = plan::plan(&setup, &Silent).expect("a plan") else { panic!("{direction} passes") };
         let report = plan.report();
         assert!(report.scallop_p99_mm > 0.6 * 0.05, "{direction}: {}", report.scallop_p99_mm);

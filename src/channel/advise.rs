@@ -26,13 +26,17 @@ const PLACES: usize = 3000;
 const B_DEG: f64 = 0.1;
 const STICKOUT_MM: f64 = 0.5;
 const FACTOR: f64 = 0.01;
+/// Distance of locations of a cutter with a corner that are looked at, mm, and the turn of the
+/// surface from one to the next, rad.
+const THIN_MM: f64 = 0.3;
+const THIN_RAD: f64 = 0.008;
 /// Greatest contact angle that is tried, steps from one to the next, and to what the least that
 /// opens a channel is found, degrees.
 const MOST_CONTACT_DEG: f64 = 60.0;
 const CONTACT_STEP_DEG: f64 = 3.0;
 const CONTACT_DEG: f64 = 0.1;
 /// The widest cutter that is tried, as a multiple of the tool's own.
-const WIDEST: f64 = 3.0;
+const WIDEST: f64 = 2.0;
 /// The longest stick-out that is tried, as a multiple of the tool's own.
 const LONGEST: f64 = 6.0;
 
@@ -85,7 +89,7 @@ pub struct CornerAdvice {
     /// 0.1°; none: no angle up to 60° does. Passes are laid for it, so less makes strips wider.
     pub contact_deg: Option<f64>,
     /// Greatest radius of a cutter with that corner, mm, that has a channel within the job's range
-    /// of contact angle, to a hundredth of the cutter's: three times the cutter's at most; none:
+    /// of contact angle, to a hundredth of the cutter's: twice the cutter's at most; none:
     /// none wider than the corner does.
     pub radius_mm: Option<f64>,
 }
@@ -119,7 +123,11 @@ impl<'a> WidthSearch<'a> {
         observer: &'a dyn Observer,
     ) -> Self {
         let far = ChannelOptions { max_step_mm: f64::INFINITY, ..options.clone() };
-        let stretches = stretches(path, &samples_of(tool, path, &far), places);
+        let mut stretches = stretches(path, &samples_of(tool, path, &far), places);
+        // Chords of a cutter with a corner are short.
+        if !tool.is_ball() {
+            stretches.iter_mut().for_each(|s| *s = s.thinned(THIN_MM, THIN_RAD));
+        }
         WidthSearch { around, stretches, observer, closed: AtomicUsize::new(0) }
     }
 

@@ -31,6 +31,27 @@ impl PathPart {
         let path = self.path.clone().with_cones(self.path.cones.leaning(lean_rad));
         PathPart { path, samples, is_start: self.is_start }
     }
+
+    /// The same with fewer locations: none nearer to the one before than `step_mm` unless the
+    /// surface turns by more than `turn_rad` from there, and the last.
+    pub fn thinned(&self, step_mm: f64, turn_rad: f64) -> Self {
+        let mut kept: Vec<&Sample> = Vec::new();
+        let (at, last) = (|s: &Sample| &self.path.locations[s.row], self.path.locations.len() - 1);
+        for s in self.samples.iter().filter(|s| s.fraction == 0.0) {
+            let goes_on = kept.last().is_none_or(|k| {
+                let (a, b) = (at(k), at(s));
+                (b.centre - a.centre).norm() >= step_mm || a.normal.angle(&b.normal) >= turn_rad || s.row == last
+            });
+            kept.extend(goes_on.then_some(s));
+        }
+        let locations = kept.iter().map(|s| *at(s)).collect();
+        let cones = match self.path.cones.same() {
+            Some(_) => self.path.cones.clone(),
+            None => return PathPart { path: self.path.clone(), samples: self.samples.clone(), ..*self },
+        };
+        let samples = kept.iter().enumerate().map(|(row, s)| Sample { row, ..**s }).collect();
+        PathPart { path: Toolpath { locations, cones, ..self.path.clone() }, samples, is_start: self.is_start }
+    }
 }
 
 /// Stretches with about `places` locations in all, the first and the last turn among them; the

@@ -1,6 +1,6 @@
 //! Cutters with a corner: walls in closed form.
 
-use super::super::{ChannelOptions, Surroundings, intervals, plan};
+use super::super::{ChannelOptions, Surroundings, advise, intervals, plan};
 use super::world;
 use crate::artifact::channel::Binding;
 use crate::artifact::toolpath::{CutterLocation, Turn};
@@ -84,6 +84,26 @@ fn a_hollow_too_narrow_is_refused_with_the_inclination_that_would_do() {
     assert!((told.parse::<f64>().unwrap() - needs_deg).abs() < 0.15, "{e} {needs_deg}");
     let Some(Infeasible::NoFreeAngle { bounds, .. }) = e.infeasible.as_deref() else { panic!("{:?}", e.infeasible) };
     assert!(matches!(&bounds[..], [Bound::Part { tool, .. }] if tool == "cutter"), "{bounds:?}");
+}
+
+/// What is advised is the closed form but for the way from place to place, of 0.01 rad, over which
+/// windows overlap: the least inclination of the disc there is, and the widest disc that the range
+/// of contact angle leaves.
+#[test]
+fn the_least_inclination_and_the_widest_cutter_are_advised() {
+    let (blade, tool, mut path) = (world::blade(trough(400)), bull(), along_the_trough(2.0));
+    path.locations.truncate(8);
+    path.turns[0].count = 8;
+    let around = Surroundings::new(&blade, &[], tool.radius_mm).unwrap();
+    let (room_mm, most, step) = (HOLLOW_MM - tool.corner_mm(), 15f64.to_radians(), 0.01);
+    let advice = advise(&around, &tool, &path, &options(3.0, 15.0), &[0.0], &Silent).unwrap();
+    assert!(advice.now.is_open() && advice.least_travel.is_none(), "{:?}", advice.now);
+    let corner = advice.corner.unwrap();
+    let (needs, told) = ((tool.disc_radius_mm() / room_mm).asin(), corner.contact_deg.unwrap().to_radians());
+    assert!(told > needs && told < needs + step + 0.004, "{told} {needs}");
+    let widest_mm = [most - step, most].map(|angle| tool.corner_mm() + room_mm * angle.sin());
+    let told_mm = corner.radius_mm.unwrap();
+    assert!(told_mm > widest_mm[0] - 0.2 && told_mm < widest_mm[1], "{told_mm} {widest_mm:?}");
 }
 
 /// On a round wall the window is the range of contact angle, forwards; where the wall leans by more
