@@ -162,7 +162,7 @@ pub struct Summary {
     pub scallop_p05_mm: f64,
     /// Radius of the disc that the corner of the cutter rolls over, mm; 0, and left out: a ball. Of
     /// such a cutter nothing of `limit` and of what stays uncut is measured: they are 0.
-    #[serde(skip_serializing_if = "crate::artifact::toolpath::is_none")]
+    #[serde(default, skip_serializing_if = "crate::artifact::toolpath::is_none")]
     pub disc_radius_mm: f64,
     /// Length of the inner turns along their contacts beside the least that their area needs, with
     /// the ridges between them.

@@ -29,6 +29,7 @@ const LOOKS: usize = 24;
 const HALVINGS: usize = 40;
 /// Contacts that go less than this, as a share of what the corner's centre goes, stand.
 const STANDS: f64 = 1e-3;
+
 /// How far θ is on from the angle of the unit `normal` about the cone's axis, rad, 0 to π, where
 /// the contact angle is `contact_rad`; `None` where the contact angle is greater at every θ.
 /// Where it is less at every θ: π.
