@@ -51,7 +51,7 @@ fn a_bull_nose_is_planned_checked_and_posted() {
     assert!(report.scallop_p99_mm < 1.03 * 0.05 && report.scallop_p99_mm > 0.5 * 0.05, "{}", report.scallop_p99_mm);
     assert!(report.scallop_max_mm < 1.03 * 0.05, "{}", report.scallop_max_mm);
     let path = &plan.value().toolpath;
-    assert!((path.planned_scallop_mm / 0.05 - 1.0).abs() < 0.03, "{}", path.planned_scallop_mm);
+    assert!((path.planned_scallop_mm / 0.05 - 1.0).abs() < 0.02, "{}", path.planned_scallop_mm);
     for control in [Control::Siemens, Control::Iso, Control::Heidenhain, Control::Linuxcnc] {
         let dialect = Dialect::built_in(control).expect("a dialect");
         let (_, checks) = setup.program(&dialect, &plan).expect("a program");

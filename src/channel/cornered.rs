@@ -28,7 +28,7 @@ use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
 use crate::parallel;
 use crate::tool::Tool;
-use crate::tool::inclination::{Bending, Inclined, forwards_rad};
+use crate::tool::inclination::{BEND, Bending, Inclined, forwards_rad};
 
 /// Half of what the centre moves while one search stands for all angles of a piece, mm.
 const ROOM_MM: f64 = 0.05;
@@ -45,9 +45,7 @@ const CUT_MM: f64 = 3e-4;
 /// About its contact the disc is not looked at, as far as it rises by this on flat ground, mm:
 /// what fits farther off fits there.
 const RISES_MM: f64 = 0.01;
-/// The bend of the surface at a place is that from so far before it to so far beyond, as a share of
-/// the corner's radius, and of so many places at most.
-const BEND: f64 = 0.2;
+/// The bend of the surface is looked at over so many places at most to either side.
 const MOST_BEND: usize = 50;
 /// A window begins so much lower than at the place beside it at most, rad, seen from the normal.
 const OPENS_RAD: f64 = 0.01;

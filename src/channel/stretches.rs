@@ -7,7 +7,7 @@
 //! turn and a quarter of the next.
 
 use crate::artifact::toolpath::EndReason;
-use crate::artifact::{Cone, Toolpath};
+use crate::artifact::{Cone, Cones, Toolpath};
 
 use super::samples::Sample;
 
@@ -47,7 +47,7 @@ impl PathPart {
         let locations = kept.iter().map(|s| *at(s)).collect();
         let cones = match self.path.cones.same() {
             Some(_) => self.path.cones.clone(),
-            None => return PathPart { path: self.path.clone(), samples: self.samples.clone(), ..*self },
+            None => Cones::Each(kept.iter().map(|s| s.cone).collect()),
         };
         let samples = kept.iter().enumerate().map(|(row, s)| Sample { row, ..**s }).collect();
         PathPart { path: Toolpath { locations, cones, ..self.path.clone() }, samples, is_start: self.is_start }

@@ -159,7 +159,7 @@ fn ridges(level: &LevelSet, turns: &[Vec<Touch>]) -> Vec<Vec<f64>> {
             // Off the chord and onto the level set, as for the rings.
             let on_level = level.touch(&near, 0.1 * level.radius_mm)?;
             let beside = lower[at + 1].centre - lower[at].centre;
-            ridge_height(level, &[Pass::new(level, t, way), Pass::new(level, &on_level, &beside)])
+            ridge_height(level, [&Pass::new(level, t, way), &Pass::new(level, &on_level, &beside)])
         };
         upper.iter().zip(&ways).filter_map(ridge).collect()
     })

@@ -296,7 +296,7 @@ fn worst_ridge(level: &LevelSet, a: &Ring, b: &Ring) -> f64 {
         // The chord between two touches of the ring lies off the level set, which would tilt a
         // close pair of balls.
         let near = level.touch_in_plane(&b.nearest(&t.centre), 0.1 * level.radius_mm)?;
-        ridge_height(level, &[t, &near].map(|t| Pass::new(level, t, &t.tangent(&level.along))))
+        ridge_height(level, [t, &near].map(|t| Pass::new(level, t, &t.tangent(&level.along))).each_ref())
     });
     decisive_mm(level, heights)
 }

@@ -11,7 +11,7 @@
 use super::level::{LevelSet, Touch};
 use crate::geometry::disc::Disc;
 use crate::geometry::{Point, Vector};
-use crate::tool::inclination::Bending;
+use crate::tool::inclination::{BEND, Bending};
 
 /// Places between two passes that are looked at; one does where the curvature is steady.
 const RIDGE_STEPS: usize = 9;
@@ -28,9 +28,8 @@ const EVEN: f64 = 0.01;
 /// The same under cutters with a corner: noise of their turns hardly fades from one to the next.
 const EVENLY: f64 = 1e-4;
 
-/// Stands of a cutter are this far apart, as a share of its corner's radius.
-const STAND: f64 = 0.2;
-/// What is left is known from three stands as far as so many from the one amid them.
+/// What is left is known from three stands, [`BEND`] apart, as far as so many from the one amid
+/// them.
 const NEAR_STANDS: f64 = 1.5;
 /// Where a stand farther off leaves less, others are looked at no farther off than this, so often.
 const MOST_STANDS: f64 = 8.0;
@@ -84,7 +83,7 @@ impl Passing {
     /// What it leaves over a place with the unit `normal`, mm; infinite where it passes by. Where
     /// another stand leaves less, it is looked at from there.
     fn leaves_mm(&self, level: &LevelSet, p: &Point, normal: &Vector) -> f64 {
-        let step_mm = STAND * level.radius_mm;
+        let step_mm = BEND * level.radius_mm;
         let of = |passing: &Passing| {
             let (least, on) = least(passing.discs.each_ref().map(|d| d.entry_mm(p, normal, level.radius_mm)));
             (least + 0.5 * passing.more * passing.across.dot(&(p - passing.contact)).powi(2), on)
@@ -114,7 +113,7 @@ impl Passing {
 
 /// Where a corner touches a step before a place, there, and a step beyond it, along a unit vector.
 fn beside(level: &LevelSet, at: &Touch, way: &Vector) -> Option<[Touch; 3]> {
-    let step_mm = STAND * level.radius_mm;
+    let step_mm = BEND * level.radius_mm;
     let to = |sign: f64| level.touch(&(at.centre + way * (sign * step_mm)), step_mm);
     Some([to(-1.0)?, *at, to(1.0)?])
 }
@@ -185,18 +184,18 @@ impl Pass {
 /// the share `a` of the way, which tells where to look next and, once that is near, how high the
 /// ridge is: `(s_a s_b / (s_a + s_b))²`. Every place looked at is on the part, so where the
 /// curvature jumps the greatest height found is left there indeed.
-pub fn ridge_height(level: &LevelSet, passes: &[Pass; 2]) -> Option<f64> {
+pub fn ridge_height(level: &LevelSet, passes: [&Pass; 2]) -> Option<f64> {
     ridge(level, passes, false)
 }
 
 /// As [`ridge_height`], and over what a ball in a crease between the passes, at two contacts at
 /// once, would leave standing in the corner under it: two passes on both sides of a crease leave
 /// more there than at any contact.
-pub fn ridge_over_creases(level: &LevelSet, passes: &[Pass; 2]) -> Option<f64> {
+pub fn ridge_over_creases(level: &LevelSet, passes: [&Pass; 2]) -> Option<f64> {
     ridge(level, passes, true)
 }
 
-fn ridge(level: &LevelSet, passes: &[Pass; 2], in_creases: bool) -> Option<f64> {
+fn ridge(level: &LevelSet, passes: [&Pass; 2], in_creases: bool) -> Option<f64> {
     let [a, b] = [passes[0].centre, passes[1].centre];
     let reach = 0.5 * (b - a).norm() + 0.02 * level.radius_mm;
     let even = if level.inclined.is_some() { EVENLY } else { EVEN };
@@ -268,7 +267,7 @@ impl BetweenPasses {
 
     /// The height that both passes leave over the ball between them, which touches here and at
     /// `more`: between its contacts it is the lowest that any ball comes to.
-    fn crease(&self, more: &BetweenPasses, passes: &[Pass; 2], level: &LevelSet) -> f64 {
+    fn crease(&self, more: &BetweenPasses, passes: [&Pass; 2], level: &LevelSet) -> f64 {
         let radius_mm = level.radius_mm;
         // The ball that touches the planes of both contacts.
         let centres = [self, more].map(|s| s.contact + s.normal * radius_mm);
@@ -362,11 +361,11 @@ mod tests {
                 assert!((level.touch(p, 0.1).unwrap().centre - p).norm() < 1e-6);
             }
             let balls = [0, 1].map(|k| Pass::of_ball(&passes[k]));
-            let found = ridge_over_creases(&level, &balls).unwrap();
+            let found = ridge_over_creases(&level, balls.each_ref()).unwrap();
             let expected = radius_mm + s * half.sin() - (radius_mm.powi(2) - (s * half.cos()).powi(2)).sqrt();
             assert!((found / expected - 1.0).abs() < 0.005, "{bend_deg}°: {found} for {expected}");
             if bend_deg > 20.0 {
-                assert!(ridge_height(&level, &balls).unwrap() < of_contacts * expected);
+                assert!(ridge_height(&level, balls.each_ref()).unwrap() < of_contacts * expected);
             }
         }
     }

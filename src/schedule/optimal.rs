@@ -158,7 +158,8 @@ fn solve(
     let measure = options.settings.measure;
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let stuck = || {
-        let message = "the channel leaves no room for a smooth schedule that never turns back";
+        let back = if walls.one_way { " that never turns back" } else { "" };
+        let message = format!("the channel leaves no room for a smooth schedule{back}");
         let since = Infeasible::NoSmoothSchedule { margin_deg: options.settings.margin_deg };
         Error::infeasible(Room::Schedule, message, since)
             .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")

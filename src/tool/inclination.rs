@@ -21,6 +21,9 @@ use crate::artifact::Cone;
 use crate::geometry::disc::Disc;
 use crate::geometry::{Point, Vector};
 
+/// The bend of a surface at a place is that from so far before it to so far beyond, as a share of
+/// the corner's radius.
+pub const BEND: f64 = 0.2;
 /// Wherever a cutter can lean within the range of contact angle, it can by this much less, rad.
 const SPAN_RAD: f64 = 0.03;
 /// Angles of a window that are looked at.
@@ -86,8 +89,8 @@ impl Inclined {
     ///
     /// Where head and wall make the cutter lean aside too, less lean forwards may leave higher
     /// ridges. So that θ has room of [`SPAN_RAD`], passes are laid for a cutter that is sharper
-    /// across turns by the difference. As with one cutter, and not with the greater of two heights,
-    /// what a pass leaves has no corner as a function of its direction, at which turns break up.
+    /// across turns by the difference. What a pass leaves is then a smooth function of its
+    /// direction, as with one cutter, and other than the greater of two heights.
     pub fn curvatures(&self, round: &Bending, frame: &[Vector; 2]) -> Option<[Matrix2<f64>; 2]> {
         let [least, high] = self.range_rad(&round.normal);
         let own = self.curvature(&round.normal, frame, high)?;

@@ -22,7 +22,7 @@ pub(super) struct Stands<'a> {
 fn heights(part: &Allowed, of: &Stands, options: &VerifyOptions) -> Heights {
     let (widest_mm, samples) = (options.scallop_mm, options.settings.surface_samples as usize);
     let (tool, stands, turns) = (of.tool, of.stands, &of.sweep.turns[..]);
-    ridges::heights(&Passes { part, tool, stands, turns, widest_mm, samples }, of.sweep)
+    ridges::heights(&Passes { part, tool, stands, turns, is_helix: true, widest_mm, samples }, of.sweep)
 }
 
 /// Heights between the passes as places of a report.

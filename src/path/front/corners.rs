@@ -105,7 +105,7 @@ impl Front<'_> {
             let near = sides[usize::from(ways[1].norm_squared() < ways[0].norm_squared())];
             let beside = level.touch(&near, self.flat_mm)?;
             let near = beside.centre;
-            let ridge = ridge_height(level, &Pass::pair(level, &beside, &touch))?;
+            let ridge = ridge_height(level, Pass::pair(level, &beside, &touch).each_ref())?;
             let most = self.scallop_mm * share * share;
             if ridge <= most {
                 break;

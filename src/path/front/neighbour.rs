@@ -111,10 +111,14 @@ impl Across<'_> {
     /// The neighbour that leaves the ridge `h_mm`; `guess_mm` is about how far off, and `turn` the
     /// turn round the place. `None` where the ball cannot go there.
     pub fn neighbour(&self, from: &Heading, turn: &[Touch], h_mm: f64, guess_mm: f64) -> Option<Next> {
-        let next = self.straight(from, h_mm, guess_mm).or_else(|| {
-            let ridge = |t: &Touch, _: f64| self.ridge(from, t).unwrap_or(f64::INFINITY);
-            self.walk(from, guess_mm, |t, way| ridge(t, way) >= h_mm)
-        })?;
+        let own = Pass::new(self.level, &from.touch, &from.along);
+        let ridge = |t: &Touch| {
+            let beside = Pass::new(self.level, t, &from.along);
+            ridge_over_creases(self.level, [&own, &beside])
+        };
+        let next = self
+            .straight(from, ridge, h_mm, guess_mm)
+            .or_else(|| self.walk(from, guess_mm, |t, _| ridge(t).unwrap_or(f64::INFINITY) >= h_mm))?;
         Some(self.short_of_an_edge(from, turn, next))
     }
 
@@ -182,7 +186,7 @@ impl Across<'_> {
 
     /// The place at the given way.
     fn at_way(&self, from: &Heading, way_mm: f64) -> Option<Next> {
-        if let Some((touch, way)) = self.beside(from, way_mm)
+        if let Some((touch, way)) = self.ways(from).and_then(|ways| self.beside(from, ways, way_mm))
             && self.bounds.hold(&touch)
         {
             return Some(Next { touch, way_mm: way, stop: None });
@@ -192,8 +196,8 @@ impl Across<'_> {
 
     /// One step across by `way_mm` and onto the level set, with the way along it; `None` where the
     /// level set turns too fast for that.
-    fn beside(&self, from: &Heading, way_mm: f64) -> Option<(Touch, f64)> {
-        let (touch, way) = self.step(from, way_mm, 0.8)?;
+    fn beside(&self, from: &Heading, ways: [Vector; 2], way_mm: f64) -> Option<(Touch, f64)> {
+        let (touch, way) = self.step_along(from, ways, way_mm, 0.8)?;
         let turn = from.touch.normal.dot(&touch.normal);
         let fair = (0.8..1.25).contains(&(way / way_mm.max(1e-300)));
         (turn >= STRAIGHT_RAD.cos() && fair).then_some((touch, way))
@@ -202,7 +206,10 @@ impl Across<'_> {
     /// One step across by `way_mm` and onto the level set, which may be off by the share `reach` of
     /// the step, with the way along it.
     pub fn step(&self, from: &Heading, way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
-        let [side, along] = self.ways(from)?;
+        self.step_along(from, self.ways(from)?, way_mm, reach)
+    }
+
+    fn step_along(&self, from: &Heading, [side, along]: [Vector; 2], way_mm: f64, reach: f64) -> Option<(Touch, f64)> {
         let guess = from.touch.centre + side * way_mm;
         let touch = self.level.touch_across(&guess, &along, reach * way_mm)?;
         let half = 0.5 * from.touch.normal.angle(&touch.normal);
@@ -210,11 +217,6 @@ impl Across<'_> {
         // The way along a curve of constant curvature with this chord and turn.
         let arc = if half > 1e-4 && half < 1.0 { chord * half / half.sin() } else { chord };
         Some((touch, arc))
-    }
-
-    /// The ridge between a place of a turn and one of the next.
-    fn ridge(&self, from: &Heading, to: &Touch) -> Option<f64> {
-        ridge_over_creases(self.level, &[&from.touch, to].map(|t| Pass::new(self.level, t, &from.along)))
     }
 
     /// The unit direction in which the neighbour of a place lies, and that across the plane in
@@ -262,25 +264,36 @@ impl Across<'_> {
         Some(along - bend * self.level.radius_mm)
     }
 
-    fn straight(&self, from: &Heading, h_mm: f64, guess_mm: f64) -> Option<Next> {
-        let fineness = Fineness::of(self.level);
+    /// The neighbour that leaves the ridge `h_mm` by single steps; `ridge`: that between the place
+    /// and another.
+    fn straight(
+        &self,
+        from: &Heading,
+        ridge: impl Fn(&Touch) -> Option<f64>,
+        h_mm: f64,
+        guess_mm: f64,
+    ) -> Option<Next> {
+        let (fineness, ways) = (Fineness::of(self.level), self.ways(from)?);
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut best: Option<Next> = None;
         let mut asked = guess_mm;
         for _ in 0..MOST_TRIES {
-            let (touch, way_mm) = self.beside(from, asked)?;
-            let ridge = self.ridge(from, &touch)?;
+            let (touch, way_mm) = self.beside(from, ways, asked)?;
+            let ridge = ridge(&touch)?;
             let factor = (h_mm / ridge.max(1e-3 * h_mm)).sqrt();
             let inside = self.bounds.hold(&touch);
             if !inside && factor >= 1.0 {
-                return self.stopped(from, &touch, asked);
+                return self.stopped(from, ways, &touch, asked);
             }
             let next = asked * factor.clamp(0.4, 2.5);
             if (factor - 1.0).abs() <= fineness.nearly {
-                let (touch, way_mm) =
-                    if (factor - 1.0).abs() <= fineness.good { (touch, way_mm) } else { self.beside(from, next)? };
+                let (touch, way_mm) = if (factor - 1.0).abs() <= fineness.good {
+                    (touch, way_mm)
+                } else {
+                    self.beside(from, ways, next)?
+                };
                 if !self.bounds.hold(&touch) {
-                    return self.stopped(from, &touch, next);
+                    return self.stopped(from, ways, &touch, next);
                 }
                 return Some(Next { touch, way_mm, stop: None });
             }
@@ -299,12 +312,12 @@ impl Across<'_> {
     }
 
     /// The last place within bounds on the way to `outside`.
-    fn stopped(&self, from: &Heading, outside: &Touch, way_mm: f64) -> Option<Next> {
+    fn stopped(&self, from: &Heading, ways: [Vector; 2], outside: &Touch, way_mm: f64) -> Option<Next> {
         let (mut inside, mut beyond) = ((from.touch, 0.0), *outside);
         let (mut low, mut high) = (0.0, way_mm);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            let (touch, way) = self.beside(from, middle)?;
+            let (touch, way) = self.beside(from, ways, middle)?;
             if self.bounds.hold(&touch) {
                 (low, inside) = (middle, (touch, way));
             } else {

@@ -182,7 +182,7 @@ impl<'a> Sheet<'a> {
         [0, 1].map(|j| {
             let here = &at.touches[j].centre;
             let foot = before.nearest(k, j, here);
-            let ridge = |foot| ridge_height(&self.levels[j], &[foot, *here].map(|c| Pass::of_ball(&c)));
+            let ridge = |foot| ridge_height(&self.levels[j], [foot, *here].map(|c| Pass::of_ball(&c)).each_ref());
             foot.and_then(ridge).unwrap_or(f64::INFINITY)
         })
     }
@@ -193,7 +193,7 @@ impl<'a> Sheet<'a> {
         let of = |j: usize| {
             let level = &self.levels[j];
             let here = level.touch(after.middle(k, j)?, 0.1 * level.radius_mm)?.centre;
-            ridge_height(level, &[before.nearest(k, j, &here)?, here].map(|c| Pass::of_ball(&c)))
+            ridge_height(level, [before.nearest(k, j, &here)?, here].map(|c| Pass::of_ball(&c)).each_ref())
         };
         (0..2).map(|j| of(j).unwrap_or(0.0)).fold(0.0, f64::max)
     }

@@ -75,6 +75,7 @@ pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
             tool: scene.bench.tool,
             stands: &scene.legs.stands,
             turns: &scene.turns,
+            is_helix: false,
             widest_mm: widest_mm(scene),
             samples: scene.options.surface_samples,
         };

@@ -170,6 +170,8 @@ pub(in crate::verify) struct Passes<'a> {
     pub stands: &'a [Stand],
     /// Turns of the stands.
     pub turns: &'a [u32],
+    /// The passes are the turns of a helix.
+    pub is_helix: bool,
     /// The scallop that reaches are measured by, mm.
     pub widest_mm: f64,
     /// Samples of the surface.
@@ -195,18 +197,12 @@ pub(in crate::verify) fn heights(scene: &Passes, passes: &Sweep) -> Heights {
     // Beside the ends of passes the cutter comes down or goes up, and beyond is nothing to be cut.
     let ways = [true, false].map(|forwards| ways(&way, forwards));
     let far_in = reach + (2.0 * radius * NEAR_MM).sqrt();
-    let pass = (0..stands.len()).scan(0, |pass, i| {
-        *pass += usize::from(!way.counts(i));
-        Some(*pass)
-    });
-    let pass: Vec<usize> = pass.collect();
     let from = |k: usize, end: usize, at: &Point| ways[k][end] + (at - way.centres[end]).norm();
     let inside = |(leg, at): (usize, &Point)| from(0, leg, at).min(from(1, leg + 1, at)) >= far_in;
     let beside = |[a, b]: [(usize, &Point); 2]| {
-        // Within a bend of one pass a place is not between passes.
+        // Within a bend of a turn a place is not between turns.
         let round_mm = (from(0, a.0, a.1) - from(0, b.0, b.1)).abs();
-        let is_one = pass[a.0] == pass[b.0];
-        inside(a) && inside(b) && !(is_one && round_mm < WITHIN * (a.1 - b.1).norm())
+        inside(a) && inside(b) && !(scene.is_helix && round_mm < WITHIN * (a.1 - b.1).norm())
     };
     let height = |s: &Sample| {
         let (leg, gap_mm) = between(&way, &s.point, reach, beside)?;
