@@ -87,15 +87,16 @@ fn blade(mesh: Mesh) -> Blade {
     }
 }
 
-fn helix(count: usize) -> Toolpath {
+/// The path of a ball or a corner down the blade to a height.
+fn helix(count: usize, corner_mm: f64, down_to_mm: f64) -> Toolpath {
     let per_turn = count / TURNS;
     let mut locations: Vec<CutterLocation> = Vec::with_capacity(count);
     let mut turns: Vec<Turn> = Vec::new();
     let (mut s_mm, mut from) = (0.0, 0.0);
     for i in 0..count {
-        let (x, t) = (30.0 - 22.0 * i as f64 / count as f64, TAU * i as f64 / per_turn as f64);
+        let (x, t) = (30.0 - (30.0 - down_to_mm) * i as f64 / count as f64, TAU * i as f64 / per_turn as f64);
         let (contact, normal) = (surface(x, t), normal(x, t));
-        let centre = contact + normal * RADIUS_MM;
+        let centre = contact + normal * corner_mm;
         s_mm += locations.last().map_or(0.0, |l: &CutterLocation| (centre - l.centre).norm());
         if i % per_turn == 0 && i / per_turn < TURNS {
             if let Some(last) = turns.last_mut() {
@@ -112,11 +113,11 @@ fn helix(count: usize) -> Toolpath {
     Toolpath {
         kind: PathKind::ConstantHeight,
         stock_mm: 0.0,
-        radius_mm: RADIUS_MM,
+        radius_mm: corner_mm,
         disc_radius_mm: 0.0,
         scallop_mm: 0.01,
         chord_mm: 0.001,
-        region_x_mm: [30.0, 8.0],
+        region_x_mm: [30.0, down_to_mm],
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         cones: Cones::about_blade(5f64.to_radians()),
@@ -155,6 +156,11 @@ fn tool() -> Tool {
             HolderStage { radius_mm: 18.0, length_mm: 40.0 },
         ],
     }
+}
+
+/// A cutter of radius 8 with a corner of 2, as slim as the other tool above its bottom.
+fn cutter() -> Tool {
+    Tool { radius_mm: 8.0, corner_radius_mm: Some(2.0), taper_deg: 0.0, shank_radius_mm: 8.0, ..tool() }
 }
 
 /// Something that tells whether the tool touches the part at an angle.
@@ -299,7 +305,10 @@ fn main() {
     };
     let options = ChannelOptions::default()
         .with(|s| (s.clearance_mm, s.holder_clearance_mm, s.contact_angle_max_deg) = (0.0, 0.0, 180.0));
-    let (tool, path) = (tool(), helix(count));
+    let (tool, path) = (tool(), helix(count, RADIUS_MM, 8.0));
+    // A cutter with a corner looks at fewer places: each takes many times as long.
+    let corners = (cutter(), helix(count / 10, 2.0, 12.0));
+    let leaning = options.clone().with(|s| (s.contact_angle_min_deg, s.contact_angle_max_deg) = (3.0, 20.0));
     println!("{count} locations, {} threads", rayon::current_num_threads());
     for &size in sizes {
         let blade = blade(part(size));
@@ -329,6 +338,18 @@ fn main() {
             let other = worked_s() - worked;
             println!("         cones {what}: {other:.2} s of all threads, {:.2} times as much", other / all_worked);
         }
+        let (of, places) = (&corners.0, corners.1.locations.len());
+        let around_cutter = Surroundings::new(&blade, &[], of.radius_mm).unwrap();
+        let worked = worked_s();
+        let theirs = intervals(&around_cutter, of, &corners.1, &leaning, &Silent).unwrap();
+        let each = (worked_s() - worked) / places as f64;
+        println!(
+            "         R 8 with a corner of 2: {:.0} µs of work a location = {:.0} locations a second and core; \
+             {} of {places} have room",
+            1e6 * each,
+            1.0 / each,
+            theirs.iter().filter(|layer| !layer.is_empty()).count()
+        );
         match &whole {
             Ok(c) => {
                 let given = |f: &dyn Fn(usize) -> f64| {

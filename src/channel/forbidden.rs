@@ -24,7 +24,7 @@ use crate::artifact::Cone;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Vector};
 
-use super::arcs::{Arc, ArcSet, Witness, push_arcs};
+use super::arcs::{Arc, ArcSet, Witness, push_arcs, push_wrapped};
 use super::clear::{self, Verdict};
 use super::options::ChannelOptions;
 use super::pending::{Open, TurnedPiece, What};
@@ -72,6 +72,8 @@ pub(super) struct View {
     pub cone: Cone,
     /// Angle about the cone's axis that is 0 in the frame, rad.
     pub azimuth: f64,
+    /// Angles farther than this from the azimuth are not asked for, rad.
+    pub within_rad: Option<f64>,
     /// In the frame of the middle.
     pub motion: EvenMove,
 }
@@ -131,13 +133,14 @@ impl<'a> PlaceSearch<'a> {
         }
     }
 
-    /// Turns to a place; known is what the contact angle forbids. From now on what becomes known is
-    /// logged.
+    /// Turns to a place; known is what the contact angle forbids, and all that is not asked for.
+    /// From now on what becomes known is logged.
     pub fn begin(&mut self, view: &View, normal: &Vector) {
         self.look(view);
         self.known.reset(self.tolerance());
         self.log.get_or_insert_default().clear();
         self.forbid_contact(normal);
+        self.forbid_beyond(view);
     }
 
     /// Makes known what a point of a body forbids.
@@ -181,6 +184,7 @@ impl<'a> PlaceSearch<'a> {
         self.look(view);
         self.known.reset(self.tolerance());
         self.forbid_contact(normal);
+        self.forbid_beyond(view);
         self.run(starts);
         let free = self.known.free(2.0 * self.scene.options.settings.tolerance_deg.to_radians());
         self.seeds.clear();
@@ -274,6 +278,15 @@ impl<'a> PlaceSearch<'a> {
             push_arcs(off, m, psi, (f64::NEG_INFINITY, max.cos()), (by, by), &mut self.arcs);
         }
         self.commit();
+    }
+
+    /// Angles that are not asked for.
+    fn forbid_beyond(&mut self, view: &View) {
+        if let Some(within) = view.within_rad.filter(|w| *w < PI) {
+            self.point = None;
+            push_wrapped(within, 2.0 * PI - within, Witness::Cut, Witness::Cut, &mut self.arcs);
+            self.commit();
+        }
     }
 
     /// (y, z) turned by minus the azimuth.

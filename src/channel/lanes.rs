@@ -290,7 +290,15 @@ mod tests {
             lanes.push(&FrontNode { at: (0, 0), centre: on.centre, radius: on.radius, others, planes });
             let ball = ball + Vector::from(gone.0);
             // The cone turns and leans too.
-            let place = |ball: Point, cone: Cone| Sample { row: 0, fraction: 0.0, centre: ball, normal: Vector::y(), cone, azimuth: 0.0 };
+            let place = |ball: Point, cone: Cone| Sample {
+                row: 0,
+                fraction: 0.0,
+                centre: ball,
+                normal: Vector::y(),
+                cone,
+                azimuth: 0.0,
+                within_rad: None,
+            };
             let by = nalgebra::UnitQuaternion::from_scaled_axis(Vector::new(turned[0], turned[1], turned[2]));
             let cone = Cone { axis: by * Vector::x(), reference: by * Vector::y(), lean_rad: b_rad + 0.3 * turned[3] };
             let sweep = FreeSweep::new(then.lo + gone.1, then.hi + gone.2, cone.lean_rad.sin_cos());

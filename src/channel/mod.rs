@@ -49,8 +49,10 @@ mod bound;
 mod chain;
 mod clear;
 mod cornered;
+mod discs;
 mod forbidden;
 mod front;
+mod halved;
 mod lanes;
 mod moves;
 mod offset;
@@ -69,6 +71,7 @@ mod tighten;
 mod track;
 mod tree;
 mod walls;
+mod windows;
 
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::{Blade, Channel, Obstacle, Toolpath};
@@ -340,7 +343,7 @@ pub fn plan_among(
 fn samples_of(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Vec<Sample> {
     match tool.is_ball() {
         true => samples::along(path, options.max_step_mm, options.sweep),
-        false => samples::along_finely(path, options.max_step_mm, cornered::TURN_RAD, options.sweep),
+        false => samples::along_finely(path, options.max_step_mm, windows::TURN_RAD, options.sweep),
     }
 }
 

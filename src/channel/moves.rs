@@ -105,7 +105,7 @@ pub(super) fn even_move(from: &Sample, to: &Sample, turn: f64, [start, end]: [f6
         half_frame: in_view(&(from.cone.rotation_to(&to.cone) * half)),
         sway: (to.cone.lean_rad - from.cone.lean_rad).abs() * half,
     };
-    View { centre: from.centre + way * middle, cone, azimuth, motion }
+    View { centre: from.centre + way * middle, cone, azimuth, within_rad: None, motion }
 }
 
 fn lift(

@@ -31,12 +31,20 @@ pub(super) struct Sample {
     /// The angle θ about which angles are unwrapped, rad: that of the normal, unwrapped over the
     /// path, or 0 where θ swings.
     pub azimuth: f64,
+    /// Angles farther than this from the azimuth are not asked for, rad.
+    pub within_rad: Option<f64>,
 }
 
 impl Sample {
     /// The tool there, seen in the frame in which the azimuth is at 0.
     pub fn view(&self) -> View {
-        View { centre: self.centre, cone: self.cone, azimuth: self.azimuth, motion: EvenMove::none() }
+        View {
+            centre: self.centre,
+            cone: self.cone,
+            azimuth: self.azimuth,
+            within_rad: self.within_rad,
+            motion: EvenMove::none(),
+        }
     }
 }
 
@@ -52,7 +60,7 @@ pub(super) fn along_finely(path: &Toolpath, max_step_mm: f64, max_turn_rad: f64,
     let mut push = |row: usize, fraction: f64, centre: Point, normal: Vector| {
         let cone = path.cones.between(row, fraction);
         azimuth = unwrapped(azimuth, &normal, &cone, sweep);
-        out.push(Sample { row, fraction, centre, normal, cone, azimuth });
+        out.push(Sample { row, fraction, centre, normal, cone, azimuth, within_rad: None });
     };
     for (row, here) in path.locations.iter().enumerate() {
         push(row, 0.0, here.centre, here.normal);

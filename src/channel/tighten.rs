@@ -491,7 +491,7 @@ mod tests {
         let profile = ToolProfile::new(&tool(3.0, 4.0), [0.0; 2], 0.0);
         let exact = ExactEnds { part: &part, profile, tolerance: 1e-4 };
         let (centre, normal, cone) = (Point::origin(), Vector::x(), Cone::about_blade(0.0));
-        let sample = Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth: 0.0 };
+        let sample = Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth: 0.0, within_rad: None };
         let mut look = MovingEnd::new(&exact, &sample, 0.0, 1.0, 0.1);
         let at = Point::new(0.0, -1000.0, 0.0);
         let hull = [at, at + Vector::x(), at + Vector::z()];

@@ -103,7 +103,7 @@ pub fn any_cone() -> impl Strategy<Value = Cone> {
 
 /// A tool that stands still, seen in the frame whose angle 0 is at `azimuth`.
 fn at(centre: Point, cone: Cone, azimuth: f64) -> View {
-    View { centre, cone, azimuth, motion: EvenMove::none() }
+    View { centre, cone, azimuth, within_rad: None, motion: EvenMove::none() }
 }
 
 proptest! {
@@ -146,12 +146,14 @@ proptest! {
 
     /// Along a path, with short and long steps, every place has the free angles that it has when
     /// looked at alone, and no dense point is inside the tool at one of them: with one cone, with
-    /// cones that turn and lean from place to place, and with references that jump.
+    /// cones that turn and lean from place to place, with references that jump, and where only a
+    /// part of the circle is asked for.
     #[test]
     fn along_a_path_as_alone(
         mesh in any_mesh(), tool in any_tool(), mut cone in any_cone(), turn in -PI..PI, way in prop::array::uniform3(-1.0..1.0f64),
         steps in prop::collection::vec((prop_oneof![0.0..0.05f64, 0.0..0.4f64, 0.0..4.0f64], -0.05..0.05f64), 1..12),
         turns in prop_oneof![Just([0.0; 5]), prop::array::uniform5(-0.05..0.05f64), prop::array::uniform5(-0.8..0.8f64)],
+        within in prop_oneof![Just(None), (0.01..2.0f64).prop_map(Some)],
     ) {
         let o = open_options();
         let place = nalgebra::Isometry3::rotation(Vector::x() * turn);
@@ -169,9 +171,18 @@ proptest! {
             let lean_rad = (cone.lean_rad + lean).clamp(-1.0, 1.0);
             cone = if x == 0.0 { cone } else { Cone { axis: by * cone.axis, reference: by * cone.reference, lean_rad } };
             let normal = cone.unseen(&Vector::new(0.0, f64::cos(azimuth), f64::sin(azimuth)));
-            let tracked = tracker.next(&Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth });
+            let tracked = tracker.next(&Sample { row: 0, fraction: 0.0, centre, normal, cone, azimuth, within_rad: within });
             let mut alone = PlaceSearch::new(&scene).free(&at(centre, cone, azimuth), &normal, None);
             alone.iter_mut().for_each(|f| (f.lo, f.hi) = (f.lo + azimuth, f.hi + azimuth));
+            if let Some(within) = within {
+                prop_assert!(tracked.iter().all(|f| f.lo > azimuth - within && f.hi < azimuth + within));
+                let parts = |f: Arc| [-TAU, 0.0, TAU].map(|turn| Arc {
+                    lo: (f.lo + turn).max(azimuth - within),
+                    hi: (f.hi + turn).min(azimuth + within),
+                    ..f
+                });
+                alone = alone.into_iter().flat_map(parts).filter(|f| f.lo < f.hi).collect();
+            }
             for (one, other) in [(&tracked, &alone), (&alone, &tracked)] {
                 for f in one.iter().filter(|f| f.hi - f.lo > 8.0 * TOL) {
                     for theta in [f.lo + 2.0 * TOL, 0.5 * (f.lo + f.hi), f.hi - 2.0 * TOL] {
@@ -207,7 +218,7 @@ proptest! {
             let by = nalgebra::UnitQuaternion::from_scaled_axis(Vector::new(turns[0], turns[1], turns[2]) * sense);
             let (axis, reference, lean_rad) = (by * cone.axis, by * cone.reference, cone.lean_rad + 0.1 * turns[3] * sense);
             let cone = if turns[0] == 0.0 { cone } else { Cone { axis, reference, lean_rad } };
-            Sample { row: 0, fraction: 0.0, centre: Point::origin() + half_move * sense, normal: Vector::y(), cone, azimuth }
+            Sample { row: 0, fraction: 0.0, centre: Point::origin() + half_move * sense, normal: Vector::y(), cone, azimuth, within_rad: None }
         };
         let (from, to) = (end(-1.0), end(1.0));
         let view = even_move(&from, &to, half_turn, [0.0, 1.0]);

@@ -1,15 +1,22 @@
 //! Cutters with a corner: walls in closed form.
 
+use std::f64::consts::TAU;
+
+use nalgebra::Isometry3;
+use proptest::prelude::*;
+
 use super::super::{ChannelOptions, Surroundings, advise, intervals, plan};
+use super::brute::{any_mesh, cases};
 use super::world;
 use crate::artifact::channel::Binding;
 use crate::artifact::toolpath::{CutterLocation, Turn};
-use crate::artifact::{Cones, Sweep, ToolPart, Toolpath};
+use crate::artifact::{Cones, Obstacle, Sweep, ToolPart, Toolpath};
 use crate::error::{Bound, ErrorKind, Infeasible};
 use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
-use crate::tool::Tool;
+use crate::tool::{HolderStage, Tool};
 
 const HOLLOW_MM: f64 = 40.0;
 
@@ -123,4 +130,61 @@ fn on_round_walls_the_window_is_the_range_of_contact_angle() {
     let leaning = Toolpath { cones: Cones::about_blade(14f64.to_radians()), ..path };
     let e = plan(&blade, &tool, &leaning, &options(3.0, 12.0), &Silent).unwrap_err();
     assert!(e.message.contains("head and wall lean apart by 14.00°"), "{e}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: cases(16), ..ProptestConfig::default() })]
+
+    /// Beside random facets, what is free is clear of taper, shank and holder, and what is taken
+    /// lies no farther off than twice the room of a piece, or the disc is there.
+    #[test]
+    fn windows_beside_random_facets_are_what_the_tool_leaves(
+        mesh in any_mesh(), turn in 0.0..TAU, out_mm in 25.0..60.0f64, up_mm in 5.0..50.0f64,
+        corner_mm in 0.5..4.0f64, stickout_mm in 15.0..40.0f64, holder_mm in 6.0..20.0f64, lean in -0.05..0.05f64,
+    ) {
+        let blade = world::on_platform(&world::ellipse(20.0, 20.0), 360, 21.0);
+        let path = world::helix(&world::ellipse(20.0, 20.0), corner_mm, 36, 1, 30.0, 1.0);
+        let path = Toolpath { cones: Cones::about_blade(lean), ..path };
+        let stage = HolderStage { radius_mm: holder_mm, length_mm: 30.0 };
+        let tool = Tool { corner_radius_mm: Some(corner_mm), stickout_mm, holder: vec![stage], ..bull() };
+        let place = Isometry3::new(Vector::new(up_mm, out_mm * turn.cos(), out_mm * turn.sin()), Vector::zeros());
+        let mesh = mesh.moved(&place);
+        prop_assume!(mesh.points.iter().all(|p| p.coords.norm() < 1e3));
+        let obstacle = Obstacle {
+            name: "facets".into(),
+            part: Part::from_mesh(mesh.clone()),
+            clearance_mm: 0.3,
+            holder_clearance_mm: 1.0,
+            cut_by_the_tool: false,
+            of_the_wheel: false,
+        };
+        let options = options(4.0, 30.0);
+        let free_among = |obstacles: &[Obstacle]| {
+            let around = Surroundings::new(&blade, obstacles, tool.radius_mm).unwrap();
+            intervals(&around, &tool, &path, &options, &Silent).unwrap()
+        };
+        let obstacles = [obstacle];
+        let (windows, left) = (free_among(&[]), free_among(&obstacles));
+        let unnamed = |by: &Binding| *by == Binding::Free;
+        prop_assert!(!left.iter().flatten().any(|f| unnamed(&f.binds_min) || unnamed(&f.binds_max)), "{left:?}");
+        for ((l, window), left) in path.locations.iter().zip(&windows).zip(&left) {
+            for theta in window.iter().flat_map(|w| (0..=20).map(|k| w.theta_min + (w.theta_max - w.theta_min) * f64::from(k) / 20.0)) {
+                let cone = path.cone(0);
+                let axis = cone.tool_axis(theta);
+                let centre = tool.centre_at(&l.contact, &l.normal, &axis, None).unwrap();
+                let margin_mm = world::least_margin(&mesh, &tool, (0.3, 1.0), cone, &centre, theta);
+                if left.iter().any(|f| f.theta_min - 1e-12 <= theta && theta <= f.theta_max + 1e-12) {
+                    prop_assert!(margin_mm > -1e-6, "declared free at {theta}: {margin_mm} mm");
+                    continue;
+                }
+                let disc = tool.disc(centre, axis);
+                let corners = (0..mesh.triangles.len()).map(|t| mesh.corners(t));
+                let disc_mm = corners.map(|c| disc.nearest_of_triangle(&c).1).fold(f64::INFINITY, f64::min);
+                prop_assert!(
+                    margin_mm < 0.11 || disc_mm < corner_mm + 0.3 + 0.01,
+                    "declared taken at {theta}: {margin_mm} mm, the disc {disc_mm} mm"
+                );
+            }
+        }
+    }
 }

@@ -34,7 +34,8 @@ fn free(mesh: &Mesh, tool: &Tool, (b, options): &(f64, ChannelOptions), centre: 
     let profile = ToolProfile::new(tool, [options.settings.clearance_mm, options.settings.holder_clearance_mm], 0.0);
     let scene = ObstacleScene { bodies: vec![ObstacleBody { name: "part", mesh, tree: &tree, profile }], options };
     let azimuth = normal.z.atan2(normal.y);
-    let view = View { centre: *centre, cone: Cone::about_blade(*b), azimuth, motion: EvenMove::none() };
+    let view =
+        View { centre: *centre, cone: Cone::about_blade(*b), azimuth, within_rad: None, motion: EvenMove::none() };
     PlaceSearch::new(&scene).free(&view, normal, None)
 }
 

@@ -75,7 +75,7 @@ proptest! {
         let options = open_options();
         let found = sphere(&mesh, &tool, &options, 2.0);
         let free = with_scene(&mesh, &tool, &options, |scene| {
-            let view = View { centre: Point::origin(), cone, azimuth: 0.0, motion: EvenMove::none() };
+            let view = View { centre: Point::origin(), cone, azimuth: 0.0, within_rad: None, motion: EvenMove::none() };
             PlaceSearch::new(scene).free(&view, &Vector::x(), None)
         });
         let tolerance = 2.0 * options.settings.tolerance_deg.to_radians();
