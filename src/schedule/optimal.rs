@@ -166,14 +166,18 @@ fn solve(
     };
     let mut scale = SolverUnits::of(walls, path.turns.len());
     let thin = thinned(walls, TRIAL);
+    // Between walls that move by more than their distance from one of these samples to the next
+    // nothing goes, though something does between all of them.
+    let trial = |scale: &SolverUnits, third| {
+        let of = |walls| round(walls, scale, &Goal::Peak { third }, 1e-4);
+        of(&thin).or_else(|| if thin.s.len() < walls.s.len() { of(walls) } else { None }).ok_or_else(stuck)
+    };
     // Twice, since the first trial may be far off in size.
     for _ in 0..2 {
-        let trial = round(&thin, &scale, &Goal::Peak { third: false }, 1e-4).ok_or_else(stuck)?;
-        scale.second *= trial.v[0][3].clamp(1e-4, 1e4);
+        scale.second *= trial(&scale, false)?.v[0][3].clamp(1e-4, 1e4);
     }
     if third {
-        let trial = round(&thin, &scale, &Goal::Peak { third: true }, 1e-4).ok_or_else(stuck)?;
-        scale.third *= trial.v[0][3].clamp(1e-4, 1e4);
+        scale.third *= trial(&scale, true)?.v[0][3].clamp(1e-4, 1e4);
     }
     observer.check(Room::Schedule)?;
     if options.settings.scope == Scope::Turns && pace.is_none() {

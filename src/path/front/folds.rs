@@ -12,6 +12,18 @@ const OVERRUN: f64 = 0.8;
 /// ... where corners are followed, in which another side is nearer by right.
 const OVERRUN_CORNERS: f64 = 0.96;
 
+/// Cosine between the ways to a node and on from it under which a turn has a cusp there.
+const CUSP: f64 = -0.5;
+
+/// Whether the turn goes back the way it came at a node: across it is no direction there.
+fn is_cusp(turn: &[Node], i: usize) -> bool {
+    let Some([a, b, c]) = i.checked_sub(1).and_then(|k| turn.get(k..k + 3)).and_then(|w| w.first_chunk()) else {
+        return false;
+    };
+    let (to, on) = (b.touch.centre - a.touch.centre, c.touch.centre - b.touch.centre);
+    to.dot(&on) < CUSP * to.norm() * on.norm()
+}
+
 /// The neighbours of a turn with which the next turn goes on.
 pub struct Unfolded {
     /// They, each with the number of the node that it is the neighbour of.
@@ -43,11 +55,20 @@ impl Front<'_> {
         };
         let least = if self.follows_corners() { OVERRUN_CORNERS } else { OVERRUN };
         let overruns = |chain: &Overrun, i: usize, node: &Node| {
-            let way = node.touch.centre - turn[i].touch.centre;
+            let (q, way) = (&node.touch.centre, node.touch.centre - turn[i].touch.centre);
+            if self.across.level.inclined.is_none() {
+                return node.stop.is_none() && chain.is_nearer(q, i, least * way.norm());
+            }
             // Cutters with a corner have their neighbours aslant across the turn.
-            let is_aslant = self.across.level.inclined.is_some();
-            let way = if is_aslant { way.cross(&along[i]).norm() } else { way.norm() };
-            node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, least * way)
+            let ahead = |k: usize, side: &Vector| {
+                let beside = next.get(k).copied().flatten().filter(|n| n.stop.is_none())?;
+                Some((beside.touch.centre - turn[k].touch.centre).dot(side))
+            };
+            let across_mm = way.cross(&along[i]).norm();
+            node.stop.is_none()
+                && (is_cusp(turn, i)
+                    || chain.is_nearer(q, i, least * across_mm)
+                    || chain.has_behind(q, i, (way.norm(), least), ahead))
         };
         let mut end = turn.len() - 1;
         let mut kept: Vec<(usize, Node)> = Vec::new();
