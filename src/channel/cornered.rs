@@ -52,6 +52,20 @@ pub(super) fn layers(
     .map(|chunks: Vec<_>| chunks.into_iter().flatten().collect())
 }
 
+/// Free angles at a place that do not join on to those just before, and the inclination with which
+/// they would.
+pub(super) fn apart(layers: &[Vec<Free>], reporter: &Reporter, at: usize) -> Option<Error> {
+    let before = at.checked_sub(1)?;
+    let (last, next) = (layers.get(before)?.last()?, layers.get(at)?.first()?);
+    let mut error = reporter.closed(layers, at);
+    if next.lo > last.hi {
+        let sample = reporter.samples.get(before)?;
+        let needs_deg = sample.cone.tool_axis(next.lo).angle(&sample.normal).to_degrees();
+        error.message.push_str(&format!("; at {needs_deg:.2}° just before they would"));
+    }
+    Some(error)
+}
+
 /// Why no angle is free at a place, and what would do: the contact angle, or the disc.
 pub(super) fn closed(
     around: &Surroundings,

@@ -192,9 +192,16 @@ impl<'a> Surroundings<'a> {
         (reporter, layers): (&report::Reporter, &[Vec<Free>]),
         at: usize,
     ) -> Error {
-        let of_cutter = || cornered::closed(self, tool, options, (reporter, at));
-        let own = (!tool.is_ball() && layers[at].is_empty()).then(of_cutter).flatten();
-        own.unwrap_or_else(|| reporter.closed(layers, at))
+        if tool.is_ball() {
+            return reporter.closed(layers, at);
+        }
+        // A place where nothing is free comes before one where angles do not join: it says what
+        // would do.
+        match layers.iter().position(Vec::is_empty) {
+            Some(taken) => cornered::closed(self, tool, options, (reporter, taken)),
+            None => cornered::apart(layers, reporter, at),
+        }
+        .unwrap_or_else(|| reporter.closed(layers, at))
     }
 
     fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> ObstacleScene<'s> {

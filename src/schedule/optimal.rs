@@ -28,6 +28,8 @@ const BLOCKS: f64 = 48.0;
 /// Intervals at least, and at most where locations are too far apart.
 const FEWEST: usize = 200;
 const MOST: usize = 300_000;
+/// Intervals at most where there is room and the solver came to no end.
+const FURTHER: usize = 20_000;
 
 /// See the module's page.
 pub(super) fn plan(
@@ -132,45 +134,34 @@ fn refining(
     observer: &dyn Observer,
 ) -> Result<Solved> {
     let n = walls.s.len().saturating_sub(1).max(1);
+    let third = matches!(options.settings.measure, Measure::PeakThird | Measure::SquareThird);
     let mut parts = FEWEST.div_ceil(n);
     loop {
-        let found = if parts == 1 {
-            solve(path, walls, options, pace, observer)
-        } else {
-            solve(path, &refined(walls, parts), options, pace, observer)
+        let walls = if parts == 1 { walls.clone() } else { refined(walls, parts) };
+        let scale = units(&walls, path.turns.len(), third);
+        let most = if scale.is_some() { FURTHER } else { MOST };
+        let found = match scale {
+            Some(scale) => solve(path, walls, options, pace, &scale, observer),
+            None => Err(stuck(&walls, options)),
         };
         parts *= 4;
         match found {
-            Err(e) if e.kind == ErrorKind::Infeasible && parts <= 64 && n * parts <= MOST => {}
+            Err(e) if e.kind == ErrorKind::Infeasible && parts <= 64 && n * parts <= most => {}
             found => return found,
         }
     }
 }
 
-/// The least over the whole path.
-fn solve(
-    path: &Toolpath,
-    walls: &Corridor,
-    options: &ScheduleOptions,
-    pace: Option<Pace>,
-    observer: &dyn Observer,
-) -> Result<Solved> {
-    let measure = options.settings.measure;
-    let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
-    let stuck = || {
-        let back = if walls.one_way { " that never turns back" } else { "" };
-        let message = format!("the channel leaves no room for a smooth schedule{back}");
-        let since = Infeasible::NoSmoothSchedule { margin_deg: options.settings.margin_deg };
-        Error::infeasible(Room::Schedule, message, since)
-            .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
-    };
-    let mut scale = SolverUnits::of(walls, path.turns.len());
+/// The size of the numbers, by trials; `None` where nothing goes between the walls with joints at
+/// their samples.
+fn units(walls: &Corridor, turns: usize, third: bool) -> Option<SolverUnits> {
+    let mut scale = SolverUnits::of(walls, turns);
     let thin = thinned(walls, TRIAL);
     // Between walls that move by more than their distance from one of these samples to the next
     // nothing goes, though something does between all of them.
     let trial = |scale: &SolverUnits, third| {
         let of = |walls| round(walls, scale, &Goal::Peak { third }, 1e-4);
-        of(&thin).or_else(|| if thin.s.len() < walls.s.len() { of(walls) } else { None }).ok_or_else(stuck)
+        of(&thin).or_else(|| if thin.s.len() < walls.s.len() { of(walls) } else { None })
     };
     // Twice, since the first trial may be far off in size.
     for _ in 0..2 {
@@ -179,9 +170,32 @@ fn solve(
     if third {
         scale.third *= trial(&scale, true)?.v[0][3].clamp(1e-4, 1e4);
     }
+    Some(scale)
+}
+
+fn stuck(walls: &Corridor, options: &ScheduleOptions) -> Error {
+    let back = if walls.one_way { " that never turns back" } else { "" };
+    let message = format!("the channel leaves no room for a smooth schedule{back}");
+    let since = Infeasible::NoSmoothSchedule { margin_deg: options.settings.margin_deg };
+    Error::infeasible(Room::Schedule, message, since)
+        .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
+}
+
+/// The least over the whole path.
+fn solve(
+    path: &Toolpath,
+    walls: Corridor,
+    options: &ScheduleOptions,
+    pace: Option<Pace>,
+    scale: &SolverUnits,
+    observer: &dyn Observer,
+) -> Result<Solved> {
+    let measure = options.settings.measure;
+    let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
+    let stuck = || stuck(&walls, options);
     observer.check(Room::Schedule)?;
     if options.settings.scope == Scope::Turns && pace.is_none() {
-        return by_turn::solve(path, walls, measure, &scale).ok_or_else(stuck);
+        return by_turn::solve(path, &walls, measure, scale).ok_or_else(stuck);
     }
     let (last, weights) = match measure {
         _ if let Some(pace) = pace => {
@@ -189,24 +203,24 @@ fn solve(
             // channel bends sharply, γ is thousands.
             let second = scale.second / scale.length.powi(2);
             let unit = pace.needed(scale.base[1].abs(), second).max(1.0);
-            let goal = Goal::Pace { pace, unit, borders: blocks(walls, &scale) };
-            let found = round(walls, &scale, &goal, 1e-4 / unit);
+            let goal = Goal::Pace { pace, unit, borders: blocks(&walls, scale) };
+            let found = round(&walls, scale, &goal, 1e-4 / unit);
             (found.ok_or_else(stuck)?, Vec::new())
         }
         Measure::PeakSecond | Measure::PeakThird => {
-            let first = round(walls, &scale, &Goal::Peak { third }, 1e-5).ok_or_else(stuck)?;
+            let first = round(&walls, scale, &Goal::Peak { third }, 1e-5).ok_or_else(stuck)?;
             observer.check(Room::Schedule)?;
             let cap = first.v[0][3] * (1.0 + SPARE);
-            let borders = borders(path, walls);
-            let second = round(walls, &scale, &Goal::Turns { third, cap, borders }, 1e-4);
+            let borders = borders(path, &walls);
+            let second = round(&walls, scale, &Goal::Turns { third, cap, borders }, 1e-4);
             let mut weights = vec![first.costates.iter().map(|c| c[1]).collect()];
             if !third {
-                weights.push(pressure(walls, &first));
+                weights.push(pressure(&walls, &first));
             }
             (second.unwrap_or(first), weights)
         }
         Measure::SquareSecond | Measure::SquareThird => {
-            let found = round(walls, &scale, &Goal::Square { third }, 1e-6).ok_or_else(stuck)?;
+            let found = round(&walls, scale, &Goal::Square { third }, 1e-6).ok_or_else(stuck)?;
             let weight = if third {
                 found.costates.iter().map(|c| c[1]).collect()
             } else {
@@ -215,8 +229,8 @@ fn solve(
             (found, vec![weight])
         }
     };
-    let (theta, slope) = values(walls, &scale, &last);
-    Ok(Solved { walls: walls.clone(), theta, slope, weights })
+    let (theta, slope) = values(&walls, scale, &last);
+    Ok(Solved { walls, theta, slope, weights })
 }
 
 /// Whether a turn begins between a sample of the walls and the next.

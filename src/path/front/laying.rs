@@ -175,7 +175,7 @@ impl Front<'_> {
         };
         // On exact faces stretches that run into one another are found by their neighbours; a turn
         // round a thin edge may seem to cross itself there.
-        let nodes = if self.across.level.is_over_facets() || self.across.level.inclined.is_some() {
+        let nodes = if self.across.level.is_over_facets() {
             Overrun::of(&[], &nodes, std::iter::empty()).without_loops()
         } else {
             nodes
