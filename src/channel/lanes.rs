@@ -6,7 +6,7 @@ use wide::f64x4;
 
 use super::bound::FreeSweep;
 use super::forbidden::Start;
-use super::front::{FrontNode, Limit, Now, Plane};
+use super::planes::{FrontNode, Limit, Now, Plane};
 use crate::geometry::{Point, Vector};
 
 const LANES: usize = 4;
@@ -194,7 +194,7 @@ impl PlaneLanes {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
-    use super::super::front::Seen;
+    use super::super::planes::Seen;
     use super::super::samples::Sample;
     use super::*;
     use crate::artifact::Cone;

@@ -58,6 +58,7 @@ mod moves;
 mod offset;
 mod options;
 mod pending;
+mod planes;
 mod profile;
 mod region;
 mod report;

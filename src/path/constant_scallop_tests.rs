@@ -6,7 +6,6 @@
 use super::bounds::Bounds;
 use super::front::{Across, Front};
 use super::level::{LevelSet, Touch};
-use super::stepover::flat_stepover_mm;
 use super::tests::{lofted, turned};
 use super::*;
 use crate::artifact::region::{Boundary, Extent, Patch};
@@ -17,6 +16,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::triangle::closest_on_segment;
 use crate::observe::Silent;
+use crate::tool::stepover::flat_stepover_mm;
 
 const R: f64 = 4.0;
 const H: f64 = 0.01;

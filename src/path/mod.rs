@@ -68,9 +68,9 @@ mod stepover;
 #[cfg(test)]
 mod tests;
 
+pub use crate::tool::stepover::flat_stepover_mm;
 pub use options::PathOptions;
 pub use settings::{CHORDS_MM, PathKeys, PathSettings, SCALLOPS_MM, most_lean_deg};
-pub use stepover::flat_stepover_mm;
 
 use crate::artifact::along::Along;
 use crate::artifact::region::{Boundary, Region};

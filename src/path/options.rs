@@ -3,9 +3,9 @@
 use super::settings::PathSettings;
 use crate::artifact::region::Extent;
 use crate::machine::MachineSettings;
-use crate::path::stepover::flat_stepover_mm;
 use crate::settings::with_settings;
 use crate::tool::inclination::Inclined;
+use crate::tool::stepover::flat_stepover_mm;
 
 /// What the helix should be.
 #[derive(Clone, Debug, PartialEq)]

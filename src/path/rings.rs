@@ -5,7 +5,7 @@ use super::bounds::lowest_mm;
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
-use super::stepover::{Pass, decisive_mm, flat_stepover_mm, ridge_height};
+use super::stepover::{Pass, decisive_mm, ridge_height};
 use super::{heights_mm, place, region, seed, spot};
 use crate::artifact::Blade;
 use crate::artifact::toolpath::EndReason;
@@ -13,6 +13,7 @@ use crate::error::{Error, Infeasible, Result, Spot, Stage, Stopped};
 use crate::geometry::Point;
 use crate::observe::Observer;
 use crate::parallel;
+use crate::tool::stepover::flat_stepover_mm;
 
 /// A concave stretch counts when the normal turns back by this much, rad: well over what facets and
 /// slivers do.

@@ -309,11 +309,6 @@ fn ray_into_ball(p: &Point, n: &Vector, c: &Point, radius_mm: f64) -> f64 {
     if under_root < 0.0 { f64::INFINITY } else { along - under_root.sqrt() }
 }
 
-/// Distance of two passes on flat ground that leaves the scallop `h`: `√(8 R h − 4 h²)`, mm.
-pub fn flat_stepover_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
-    (8.0 * radius_mm * scallop_mm - 4.0 * scallop_mm * scallop_mm).max(0.0).sqrt()
-}
-
 /// The figure of many ridge heights that a pitch is judged by, mm: the greatest on exact faces; on
 /// a mesh the 99th percentile, since single ridges on the edges between facets tell of the facets
 /// and not of the part. Of cutters with a corner too, since they are foreseen as if turns went

@@ -1,8 +1,8 @@
 //! What is in the tool's way, and the channel's width among it.
 
 use super::Setup;
-use crate::artifact::Plan;
 use crate::artifact::channel::Width;
+use crate::artifact::{Channel, Plan, Toolpath};
 use crate::channel::{self, Leans, Surroundings};
 use crate::error::Result;
 use crate::observe::Observer;
@@ -45,6 +45,20 @@ impl Setup {
     pub fn finer_surroundings(&self) -> Result<Surroundings<'_>> {
         let radius_mm = self.job.tool.radius_mm;
         Ok(Surroundings::new(&self.blade, &self.obstacles, radius_mm)?.finer(radius_mm))
+    }
+
+    /// The channel along a path, with the moves after these locations proven.
+    pub(super) fn channel_proven(
+        &self,
+        path: &Toolpath,
+        prove_at: &[usize],
+        exact_ends: bool,
+        observer: &dyn Observer,
+    ) -> Result<Channel> {
+        let options = channel::ChannelOptions { prove_at: prove_at.to_vec(), ..self.channel_options() }
+            .with(|s| s.exact_ends = exact_ends);
+        let around = if exact_ends { self.finer_surroundings()? } else { self.surroundings()? };
+        channel::plan_among(&around, &self.job.tool, path, &options, observer)
     }
 
     /// The channel's width against B for a report.

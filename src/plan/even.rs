@@ -6,7 +6,7 @@
 //! is held up in some places, the speeds there are what it reached, and the schedule is made again.
 //! What still is held up then turns more slowly.
 
-use super::planning::MotionAndLeads;
+use super::leads::MotionAndLeads;
 use super::{Setup, leads};
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{AxisMotion, Channel, Schedule, Toolpath};

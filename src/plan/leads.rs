@@ -11,6 +11,9 @@ use crate::verify::lead::{Room, obstructed};
 use crate::verify::{self, Verdict, Verified, VerifyOptions};
 use crate::write::post::{self, PostOptions};
 
+/// A motion with its leads.
+pub(super) type MotionAndLeads = (AxisMotion, [Lead; 2]);
+
 /// The first arc with room for it at each end. Where there is none: a straight lead with the
 /// reason, which is reported unless the job asked for it.
 pub(crate) fn choose(

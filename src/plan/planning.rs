@@ -1,5 +1,6 @@
 //! The planning stages, one after another.
 
+use super::leads::MotionAndLeads;
 use super::{Baseline, Setup, discs, even, leads, schedules, smoothing};
 use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
@@ -14,8 +15,6 @@ use crate::path;
 use crate::schedule;
 use crate::verify;
 
-/// A motion with its leads.
-pub(super) type MotionAndLeads = (AxisMotion, [Lead; 2]);
 /// A schedule, with its motion where that is known.
 type Scheduled = (Schedule, Option<MotionAndLeads>);
 
@@ -154,7 +153,7 @@ fn keep_clear(
         rows.extend(short);
         rows.sort_unstable();
         rows.dedup();
-        let narrower = |exact_ends: bool| channel_proven(setup, path, &rows, exact_ends, &Silent);
+        let narrower = |exact_ends: bool| setup.channel_proven(path, &rows, exact_ends, &Silent);
         let found =
             timed(observer, Stage::Channel, || narrower(setup.job.channel.exact_ends).or_else(|_| narrower(true)));
         let made = found.and_then(|c| {
@@ -169,20 +168,6 @@ fn keep_clear(
         observer.check(Stage::Schedule)?;
     }
     Ok(())
-}
-
-/// The channel along a path, with the moves after these locations proven.
-pub(super) fn channel_proven(
-    setup: &Setup,
-    path: &Toolpath,
-    prove_at: &[usize],
-    exact_ends: bool,
-    observer: &dyn Observer,
-) -> Result<Channel> {
-    let options = channel::ChannelOptions { prove_at: prove_at.to_vec(), ..setup.channel_options() }
-        .with(|s| s.exact_ends = exact_ends);
-    let around = if exact_ends { setup.finer_surroundings()? } else { setup.surroundings()? };
-    channel::plan_among(&around, &setup.job.tool, path, &options, observer)
 }
 
 /// The path of the job; says so where it ends before the height that the job asks for.
@@ -265,7 +250,7 @@ fn by_exact_faces(setup: &Setup, toolpath: &Toolpath, observer: &dyn Observer) -
     if setup.blade.part.brep.is_none() || setup.job.channel.exact_ends || !setup.job.tool.is_ball() {
         return None;
     }
-    let planned = timed(observer, Stage::Channel, || channel_proven(setup, toolpath, &[], true, observer));
+    let planned = timed(observer, Stage::Channel, || setup.channel_proven(toolpath, &[], true, observer));
     if planned.as_ref().is_err_and(|e| e.kind == ErrorKind::Infeasible) {
         return None;
     }

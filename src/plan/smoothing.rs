@@ -10,7 +10,8 @@
 //! again nearer to the path there; in the end those pieces are given up and the path's own
 //! locations come back.
 
-use super::{Setup, leads, planning};
+use super::leads::MotionAndLeads;
+use super::{Setup, leads};
 use crate::artifact::curve::{Curve, CurveProof, CurveStretch, LeftAsIs, WhyLeft};
 use crate::artifact::programmed::{BeforeCurve, CurveRow, Polynomial, Way};
 use crate::artifact::schedule::Quality;
@@ -75,7 +76,7 @@ pub(crate) struct Made {
 pub(crate) fn smoothed(
     setup: &Setup,
     before: Before,
-    motion: Option<&planning::MotionAndLeads>,
+    motion: Option<&MotionAndLeads>,
     observer: &dyn Observer,
 ) -> Result<Option<Made>> {
     let given_up = |reason: String| {
@@ -208,7 +209,7 @@ fn told(curve: &ProgrammedCurve, before: &Before, observer: &dyn Observer) {
 fn compared(
     setup: &Setup,
     before: Before,
-    motion: Option<&planning::MotionAndLeads>,
+    motion: Option<&MotionAndLeads>,
     (path, schedule): (&Toolpath, &Schedule),
     mut curve: ProgrammedCurve,
 ) -> Result<ProgrammedCurve> {
@@ -244,7 +245,7 @@ fn channel_on(
     }
     prove_at.sort_unstable();
     prove_at.dedup();
-    let plan = |exact_ends: bool| planning::channel_proven(setup, path, &prove_at, exact_ends, observer);
+    let plan = |exact_ends: bool| setup.channel_proven(path, &prove_at, exact_ends, observer);
     let is_exact = setup.job.channel.exact_ends;
     timed(observer, Stage::Channel, || match plan(is_exact) {
         Err(e) if e.kind == ErrorKind::Infeasible && !is_exact && setup.blade.part.brep.is_some() => plan(true),

@@ -1,17 +1,17 @@
 //! From a plan to its verdict and files.
 
+use super::course::forced;
+use super::figures::figures;
 use super::inputs::Loaded;
 use super::look::{self, Look};
-use super::making;
 use super::reuse::{self, Checks};
-use super::summary::{self, ProgramFigures, ScheduleFigures, Summary};
+use super::summary::{self, ProgramFigures, Summary};
 use super::{Course, RunFolder, json_compact, tables};
 use crate::artifact::report::Check;
-use crate::artifact::{AxisMotion, CheckReport, Plan, Program, ProgrammedCurve, Schedule, Section};
+use crate::artifact::{CheckReport, Plan, Program, Section};
 use crate::error::{Result, Stage};
-use crate::feed;
-use crate::observe::{Observer, Recorder, timed};
-use crate::plan::{Baseline, Setup, paths};
+use crate::observe::{Recorder, timed};
+use crate::plan::{Baseline, Setup};
 use crate::verify::seal;
 use crate::verify::{self, Verdict, Verified};
 
@@ -49,7 +49,7 @@ impl RunAtWork<'_, '_> {
         self.folder.add("plan.json", &plan_json)?;
         let (verdict, seal, recalled) = self.check(plan, &plan_json, before)?;
         let mut report = verdict.report().clone();
-        let verdict = if course.force { making::forced(verdict) } else { verdict };
+        let verdict = if course.force { forced(verdict) } else { verdict };
         let plan = verdict.value();
         let mut summary = figures(setup, plan, &report, baseline, self.observer)?;
         if !course.ends_at(Stage::Verify) {
@@ -99,25 +99,6 @@ impl RunAtWork<'_, '_> {
     }
 }
 
-/// The figures of a plan, before programs are written.
-pub(super) fn figures(
-    setup: &Setup,
-    plan: &Plan,
-    report: &CheckReport,
-    baseline: &Baseline,
-    observer: &dyn Observer,
-) -> Result<Summary> {
-    let schedules = compare(setup, plan, baseline)?;
-    let mut summary = summary::summary(&setup.blade.name, plan, report, schedules, setup.machine.axes());
-    if setup.job.path.compare {
-        let others = timed(observer, Stage::Path, || paths::others(setup, &plan.toolpath, report, observer))?;
-        let figures = |(other, limit)| summary::path_figures(&other, limit, &report.limit);
-        summary.other_paths = others.into_iter().map(figures).collect();
-    }
-    summary.limits_assumed = setup.machine.assumed_limits().into_iter().map(String::from).collect();
-    Ok(summary)
-}
-
 /// What writing all programs came to.
 #[derive(Default)]
 pub(super) struct Posted {
@@ -142,18 +123,4 @@ pub(super) fn post_all(setup: &Setup, verified: &Verified<Plan>, folder: &mut Ru
         posted.checks.extend(checks);
     }
     Ok(posted)
-}
-
-/// Figures of the schedule in use and of the fixed-lead baseline.
-pub(super) fn compare(setup: &Setup, plan: &Plan, baseline: &Baseline) -> Result<Vec<ScheduleFigures>> {
-    let a = setup.machine.turning_axis();
-    let figures = |schedule: &Schedule, motion: &AxisMotion, on: Option<&ProgrammedCurve>| {
-        let peaks = feed::peaks_on(&plan.toolpath, schedule, on, &setup.machine, &setup.feed_options())?;
-        let constant = [peaks.velocity[a], peaks.acceleration[a]];
-        Ok(summary::schedule_figures(plan, schedule, motion, constant, &setup.machine))
-    };
-    Ok(vec![
-        figures(&plan.schedule, &plan.motion, plan.curve.as_ref())?,
-        figures(&baseline.schedule, &baseline.motion, None)?,
-    ])
 }

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::again::Checked;
-use super::checking::compare;
+use super::figures::compare;
 use super::manifest::Input;
 use super::{RunFolder, build, program, programs_again, summary};
 use crate::artifact::schedule::ScheduleKind;

@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::checking::{RunAtWork, figures};
+use super::checking::RunAtWork;
+use super::course::{Course, Made, forced};
+use super::figures::figures;
 use super::folder::RunFolder;
 use super::inputs::Loaded;
 use super::manifest::{self, Clock, Manifest, SCHEMA_VERSION, StageRecord};
@@ -19,27 +21,6 @@ use crate::plan::planning::{self, Known, Reached};
 use crate::section;
 use crate::verify::Verdict;
 use crate::write::post::Dialect;
-
-/// How far to go and what to do with a plan that fails its checks.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Course {
-    /// Stop after this stage.
-    pub until: Option<Stage>,
-    /// Write programs even if the checks fail; their headers say so.
-    pub force: bool,
-    /// Leave times and memory out of `manifest.json`, so that the same job leaves the same bytes.
-    pub timeless: bool,
-    /// Most bytes of preview.glb; `None`: as [`GltfOptions`] has it.
-    ///
-    /// [`GltfOptions`]: crate::write::preview::GltfOptions
-    pub preview_bytes: Option<usize>,
-}
-
-impl Course {
-    pub(super) fn ends_at(self, stage: Stage) -> bool {
-        self.until == Some(stage)
-    }
-}
 
 /// What a run came to.
 pub struct Outcome {
@@ -159,25 +140,6 @@ pub fn in_memory(draft: &Draft, force: bool, observer: &dyn Observer) -> Result<
         stages: clock.records(),
         taken: Vec::new(),
     })
-}
-
-/// A plan that fails its checks is taken all the same, marked as forced.
-pub(super) fn forced(verdict: Verdict<Plan>) -> Verdict<Plan> {
-    match verdict {
-        Verdict::Failed(rejected) => Verdict::Passed(rejected.write_anyway()),
-        passed => passed,
-    }
-}
-
-/// What the stages after the model came to.
-#[derive(Default)]
-pub(super) struct Made {
-    pub summary: Option<Summary>,
-    pub stopped: Option<StoppedFigures>,
-    pub report: Option<CheckReport>,
-    pub verdict: Option<Verdict<Plan>>,
-    pub seal: Option<String>,
-    pub taken: Vec<Stage>,
 }
 
 /// All stages after the model, as far as the course goes.

@@ -8,6 +8,8 @@
 pub mod again;
 mod checking;
 pub mod compare;
+mod course;
+mod figures;
 mod folder;
 pub mod inputs;
 mod look;
@@ -24,10 +26,11 @@ pub mod tables;
 
 use std::path::Path;
 
+pub use course::Course;
 pub use folder::RunFolder;
 pub use inputs::Loaded;
 pub use look::{plots, preview_again};
-pub use making::{Course, Outcome, in_memory, run, run_on};
+pub use making::{Outcome, in_memory, run, run_on};
 pub use programs::{ProgramsAgain, programs_again};
 use staging::Staging;
 pub(crate) use staging::sync;

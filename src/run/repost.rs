@@ -6,8 +6,8 @@
 //! their seal. Where any of this is not so, the run is made in the ordinary way.
 
 use super::checking::{RunAtWork, post_all};
+use super::course::{Made, forced};
 use super::look::{self, Look};
-use super::making::{self, Made};
 use super::reuse::{self, Earlier};
 use super::summary::Summary;
 use crate::artifact::Plan;
@@ -47,7 +47,7 @@ pub(super) fn again(run: &mut RunAtWork, earlier: &[Earlier]) -> Result<Option<M
         run.folder.add(name, content)?;
     }
     let (setup, folder, observer) = (&run.loaded.setup, &mut *run.folder, run.observer);
-    let verdict = if run.course.force { making::forced(kept.verdict) } else { kept.verdict };
+    let verdict = if run.course.force { forced(kept.verdict) } else { kept.verdict };
     let (mut report, plan) = (verdict.report().clone(), verdict.value());
     let (mut forced, mut program) = (false, None);
     let mut summary = Summary { programs: Vec::new(), ..kept.summary };

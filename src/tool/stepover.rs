@@ -160,6 +160,11 @@ impl Passes<'_> {
     }
 }
 
+/// Distance of two passes on flat ground that leaves the scallop `h`: `√(8 R h − 4 h²)`, mm.
+pub fn flat_stepover_mm(radius_mm: f64, scallop_mm: f64) -> f64 {
+    (8.0 * radius_mm * scallop_mm - 4.0 * scallop_mm * scallop_mm).max(0.0).sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]

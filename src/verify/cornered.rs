@@ -1,7 +1,7 @@
 //! What stays between the passes of a plan for a cutter with a corner, measured on the swept cutter
 //! ([`super::cutter::ridges`]).
 
-use super::audit::scallop::{Height, Heights};
+use super::between::{Height, Heights};
 use super::cutter::ridges::{self, Passes};
 use super::options::VerifyOptions;
 use super::sweep::Sweep;

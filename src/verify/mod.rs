@@ -40,6 +40,7 @@
 mod apart;
 mod asked;
 pub mod audit;
+mod between;
 mod clearance;
 mod cornered;
 mod curve;
@@ -63,6 +64,7 @@ mod samples;
 mod scallop;
 mod schedule;
 pub mod seal;
+mod setting;
 mod settings;
 mod solid;
 mod sweep;

@@ -14,8 +14,7 @@
 use std::ops::Range;
 
 use super::pinch::{PinchWork, Solid, solids};
-use super::pinch_program::CENTRE_MM;
-use super::pinch_read::{Line, Mark, Read};
+use super::pinch_read::{CENTRE_MM, Line, Mark, Read};
 use crate::artifact::report::Check;
 use crate::artifact::{Axes, CheckId};
 use crate::geometry::Vector;

@@ -12,6 +12,9 @@ const WORDS: [&str; 9] = ["TRAFOOF", "TRANS", "SUPA", "SOFT", "FFWON", "FFWOF", 
 /// G words that move nothing and whose meaning stays.
 const SET: [f64; 15] = [5.1, 17.0, 21.0, 40.0, 49.0, 53.0, 54.0, 64.0, 80.0, 90.0, 93.0, 94.0, 500.0, 642.0, 710.0];
 
+/// Ball centres may lie so far from their places, mm.
+pub(super) const CENTRE_MM: f64 = 0.001;
+
 /// What a line does.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Line {

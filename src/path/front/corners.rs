@@ -132,8 +132,8 @@ mod tests {
     use crate::geometry::allowance::Allowed;
     use crate::path::bounds::Bounds;
     use crate::path::level::LevelSet;
-    use crate::path::stepover::flat_stepover_mm;
     use crate::path::tests::turned;
+    use crate::tool::stepover::flat_stepover_mm;
 
     #[test]
     fn corners_are_covered_and_no_more() {

@@ -32,12 +32,12 @@ mod sheet;
 mod tests;
 
 use super::PathSettings;
-use super::stepover::flat_stepover_mm;
 use crate::artifact::paired::{PairPlace, RowEnd};
 use crate::artifact::{Blade, PairedRows};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::observe::Observer;
 use crate::parallel;
+use crate::tool::stepover::flat_stepover_mm;
 use sheet::{Sheet, Standing};
 
 /// Greatest distance between two heights of the grid that rows are laid on, mm …

@@ -2,7 +2,8 @@
 //! with the other sign of B, and with the other sense of A.
 
 use super::legs::Legs;
-use super::report::{Limit, LineCheck, WorstMove};
+use super::line_check::{Limit, LineCheck};
+use super::report::WorstMove;
 use super::{AuditScene, checks};
 use crate::artifact::CheckId;
 use crate::error::Result;

@@ -1,7 +1,8 @@
 //! Gouge, clearance, rapids and travel of a program.
 
 use super::legs::LegKind;
-use super::report::{Limit, LineCheck, WorstMove};
+use super::line_check::{Limit, LineCheck};
+use super::report::WorstMove;
 use super::{AuditScene, MovesSource};
 use crate::artifact::program::Programmed;
 use crate::artifact::{AxisCheck, CheckId};
@@ -9,7 +10,7 @@ use crate::geometry::part::Part;
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
 use crate::verify::gouge::Gouge;
-use crate::verify::read_back;
+use crate::verify::setting;
 use crate::verify::sweep::Sweep;
 
 /// Legs that another motion is tried at first.
@@ -271,8 +272,8 @@ pub(super) fn settings(scene: &AuditScene, source: &MovesSource, passes: &Sweep)
     }
     let at_part = source.blocks.iter().zip(&cuts).filter(|(_, cut)| **cut).map(|(b, _)| b);
     let tolerance_mm = scene.options.gouge_mm.max(scene.options.scallop_mm.unwrap_or(0.0));
-    let theirs = read_back::theirs(source.script, source.blocks, at_part, tolerance_mm, scene.bench.tool);
-    let end = source.last.then(|| read_back::end(CheckId::End, source.script));
+    let theirs = setting::theirs(source.script, source.blocks, at_part, tolerance_mm, scene.bench.tool);
+    let end = source.last.then(|| setting::end(CheckId::End, source.script));
     theirs.into_iter().chain(end).map(|f| scene.set(f)).collect()
 }
 

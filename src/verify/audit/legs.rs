@@ -22,8 +22,6 @@ const COARSE_RAD: f64 = 5.0 * PI / 180.0;
 const GAP_MM: f64 = 2e-3;
 /// Most legs of one move and of a program: what takes seconds, not hours.
 const MOST: [usize; 2] = [2_000_000, 10_000_000];
-/// The ball touches the part where it is this near, mm.
-pub(in crate::verify) const NEAR_MM: f64 = 0.05;
 
 /// What a leg is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

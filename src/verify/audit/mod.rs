@@ -36,17 +36,20 @@ mod checks;
 #[cfg(test)]
 mod cutter_tests;
 pub(super) mod legs;
+mod line_check;
 mod report;
 pub(super) mod scallop;
 #[cfg(test)]
 mod tests;
 
-pub use report::{Audit, LineCheck, Span};
+pub use line_check::{LineCheck, Span};
+pub use report::Audit;
 
 use std::cell::RefCell;
 
 use legs::{LegKind, Legs};
 
+use super::between::NEAR_MM;
 use super::cutter::{self, SweptCutter};
 use super::deviation::{self, ToolCut};
 use super::gouge::{self, Gouge};
@@ -237,12 +240,12 @@ fn audit_moves(
     }
     let part = Allowed::new(&blade.part, options.stock_mm);
     let search = RefCell::new(DiscSearch::new(&part));
-    let reach = bench.tool.corner_mm() + part.stock_mm + legs::NEAR_MM;
+    let reach = bench.tool.corner_mm() + part.stock_mm + NEAR_MM;
     let turns = legs.turns(|s| match bench.tool.is_ball() {
-        true => part.closest(&s.centre, bench.tool.radius_mm + legs::NEAR_MM).is_some(),
+        true => part.closest(&s.centre, bench.tool.radius_mm + NEAR_MM).is_some(),
         false => {
             let disc = bench.tool.disc(s.centre, s.axis());
-            search.borrow_mut().closest(&disc, reach, 0.1 * legs::NEAR_MM).is_some()
+            search.borrow_mut().closest(&disc, reach, 0.1 * NEAR_MM).is_some()
         }
     });
     let scene = AuditScene { blade, part, bench, options, text, moves, legs: &legs, turns };
@@ -301,7 +304,7 @@ pub fn travel(text: &str, moves: &[program::Moved], blade: &Blade, bench: &Bench
     let (options, turns) = (&AuditOptions::default(), vec![0; legs.stands.len()]);
     let scene = AuditScene { blade, part, bench, options, text, moves, legs: &legs, turns };
     // What fails first, then by how much.
-    let rank = |c: &report::LineCheck| (!c.check.passed, c.check.worst);
+    let rank = |c: &LineCheck| (!c.check.passed, c.check.worst);
     let worst = checks::travel(&scene).into_iter().reduce(|a, b| if rank(&b) > rank(&a) { b } else { a });
     Ok(worst.map(|f| {
         let line = f.line.map_or_else(String::new, |l| format!("line {l}; "));
@@ -347,7 +350,7 @@ impl AuditScene<'_> {
     /// The ball swept over the feed moves along the part: without approach and retract, which are
     /// no passes.
     fn passes(&self) -> Sweep {
-        let near = legs::NEAR_MM.max(2.0 * scallop::widest_mm(self));
+        let near = NEAR_MM.max(2.0 * scallop::widest_mm(self));
         let touching: Vec<bool> = if self.bench.tool.is_ball() {
             let reach = self.bench.tool.radius_mm + near;
             parallel::map(&self.legs.stands, |s| self.part.closest(&s.centre, reach).is_some())

@@ -4,40 +4,15 @@ use serde::Serialize;
 
 use super::AuditScene;
 use super::legs::LegKind;
-use super::scallop::Heights;
-use crate::artifact::CheckId;
+use super::line_check::{Limit, LineCheck, Span};
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::geometry::Point;
-use crate::verify::read_back::Finding;
+use crate::verify::between::Heights;
+use crate::verify::setting::Finding;
 
 /// Most spans told for one check.
 const MOST_SPANS: usize = 20;
-
-/// Lines that follow one another and break a limit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Span {
-    /// First line, from 1.
-    pub first_line: usize,
-    /// Last line.
-    pub last_line: usize,
-}
-
-/// A check, with where in the program.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct LineCheck {
-    /// The check; `row` is not used.
-    #[serde(flatten)]
-    pub check: Check,
-    /// Line of the worst value, from 1.
-    pub line: Option<usize>,
-    /// That line.
-    pub block: Option<String>,
-    /// Lines that break the limit, in order, at most 20 spans.
-    pub spans: Vec<Span>,
-    /// How many such spans there are.
-    pub span_count: usize,
-}
 
 /// What an audit found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -90,15 +65,6 @@ pub(super) struct WorstMove {
     pub turn: Option<u32>,
     /// Point of the part or of the tool's way, blade frame.
     pub point: Option<Point>,
-}
-
-/// How a check is called and judged.
-pub(super) struct Limit {
-    pub id: CheckId,
-    pub quantity: String,
-    pub limit: f64,
-    pub unit: &'static str,
-    pub passed: bool,
 }
 
 impl AuditScene<'_> {

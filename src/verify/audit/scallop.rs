@@ -11,22 +11,15 @@
 //! too.
 
 use super::AuditScene;
-use super::legs::NEAR_MM;
-use super::report::{Limit, LineCheck};
+use super::line_check::{Limit, LineCheck};
 use crate::artifact::CheckId;
-use crate::geometry::Point;
 use crate::parallel;
+use crate::verify::between::{Height, Heights, LEAST_REACH_MM, NEAR_MM, REACH_STEPOVERS, between, percentile, sorted};
 use crate::verify::cutter::ridges::{self, Passes};
 use crate::verify::height::{REACH_SLACK, lift};
 use crate::verify::samples::{self, Sample};
 use crate::verify::sweep::Sweep;
 
-/// Passes as far apart as so many stepovers are still neighbours: a turn that is missing is seen.
-pub(in crate::verify) const REACH_STEPOVERS: f64 = 2.5;
-/// Least reach, mm.
-pub(in crate::verify) const LEAST_REACH_MM: f64 = 0.4;
-/// Two places are on two sides where the cosine of their directions is less than this.
-const OPPOSITE: f64 = -0.8;
 /// Turns with fewer samples are not judged by themselves.
 const FEWEST: usize = 40;
 /// Passes this many times as far apart as usual: one is missing between them.
@@ -34,33 +27,6 @@ const MISSING: f64 = 1.6;
 /// Where no scallop is asked for, the greatest that is looked for, as a share of
 /// the radius of ball or corner.
 const WIDEST: f64 = 0.02;
-
-/// A height between two passes.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::verify) struct Height {
-    pub height_mm: f64,
-    pub point: Point,
-    /// Leg of the nearest pass.
-    pub leg: usize,
-    /// How far the two passes are apart, mm.
-    pub gap_mm: f64,
-}
-
-/// All of them, the lowest first.
-pub(in crate::verify) struct Heights {
-    pub sorted: Vec<Height>,
-}
-
-impl Heights {
-    /// Percentile, 0 to 1; 0 where there is no sample.
-    pub fn percentile(&self, q: f64) -> f64 {
-        percentile(&self.sorted, q).map_or(0.0, |h| h.height_mm)
-    }
-}
-
-fn percentile(sorted: &[Height], q: f64) -> Option<&Height> {
-    sorted.get(((sorted.len().saturating_sub(1)) as f64 * q).round() as usize)
-}
 
 /// The scallop that reaches are measured by, mm.
 pub(super) fn widest_mm(scene: &AuditScene) -> f64 {
@@ -98,12 +64,6 @@ pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
     sorted(parallel::filter_map(&all.points, height))
 }
 
-/// Heights in their order.
-pub(in crate::verify) fn sorted(mut heights: Vec<Height>) -> Heights {
-    heights.sort_by(|a, b| a.height_mm.total_cmp(&b.height_mm).then(a.leg.cmp(&b.leg)));
-    Heights { sorted: heights }
-}
-
 /// Legs within so much way of the beginning or the end of a pass: there the ball comes down or goes
 /// up on a lead, and beyond it nothing is to be cut.
 fn near_ends(sweep: &Sweep, way_mm: f64) -> Vec<bool> {
@@ -120,24 +80,6 @@ fn near_ends(sweep: &Sweep, way_mm: f64) -> Vec<bool> {
     mark(&mut (0..n));
     mark(&mut (0..n).rev());
     out
-}
-
-/// The leg nearest to a ball centre that lies between passes, and how far the nearest places on its
-/// two sides are apart; `None` where the two are not `beside` passes: near an end of one.
-pub(in crate::verify) fn between(
-    sweep: &Sweep,
-    q: &Point,
-    reach_mm: f64,
-    beside: impl Fn([(usize, &Point); 2]) -> bool,
-) -> Option<(usize, f64)> {
-    type Near = (f64, usize, Point);
-    let near: Vec<Near> = sweep.all_near(q, reach_mm).into_iter().map(|(leg, c)| ((c - q).norm(), leg, c)).collect();
-    let nearer = |a: &&Near, b: &&Near| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
-    let (d, leg, c) = *near.iter().min_by(nearer)?;
-    let side = c - q;
-    let across = |(e, _, other): &&Near| *e > 1e-9 && (other - q).dot(&side) <= OPPOSITE * d * e;
-    let (e, other, at) = near.iter().filter(across).min_by(nearer)?;
-    beside([(leg, &c), (*other, at)]).then_some((leg, d + e))
 }
 
 /// The checks `scallop` and `scallop-turn`, where a scallop is asked for.
@@ -211,6 +153,7 @@ fn passes(h: &Height, usual_mm: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Point;
 
     #[test]
     fn legs_beside_the_ends_of_passes_are_known() {

@@ -18,8 +18,7 @@ use parry3d_f64::bounding_volume::Aabb as ParryAabb;
 use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, TraversalAction};
 
-use super::super::audit::legs::NEAR_MM;
-use super::super::audit::scallop::{Height, Heights, LEAST_REACH_MM, REACH_STEPOVERS, between, sorted};
+use super::super::between::{Height, Heights, LEAST_REACH_MM, NEAR_MM, REACH_STEPOVERS, between, sorted};
 use crate::artifact::Stand;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::near_disc::DiscSearch;

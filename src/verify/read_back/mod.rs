@@ -30,12 +30,9 @@
 
 mod compare;
 mod joints;
-mod setting;
 mod words;
 
-pub(super) use setting::{Finding, end, theirs};
-
-use super::audit;
+use super::{audit, setting};
 use crate::artifact::program::{Asked, Language, Program};
 use crate::artifact::report::Check;
 use crate::artifact::{CheckId, PartAmong, Plan};

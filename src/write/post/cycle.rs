@@ -46,22 +46,10 @@ fn outside(run: &OperationRun, end: &WayEnd, by: &[Axes]) -> f64 {
     let at = run.axes_at(end, end.safe_mm);
     let by = if by.is_empty() { std::slice::from_ref(&at) } else { by };
     let mut over = by[0];
-    over[up(run)] = safe_up(run);
+    over[run.up()] = run.safe_up();
     let rapids: f64 = std::iter::once(&over).chain(by).zip(by).map(|(from, to)| rapid(run.machine, from, to)).sum();
     let at_feed = (end.safe_mm - height) / o.approach_feed_mm_min + height / o.plunge_feed_mm_min;
     60.0 * at_feed + rapids
-}
-
-/// The end of travel that programs retract to.
-pub(super) fn safe_up(run: &OperationRun) -> f64 {
-    let (up, sense) = run.machine.retract_axis();
-    let here = run.axes_at(&run.ends[0], run.ends[0].safe_mm)[up];
-    run.machine.axes()[up].limits.travel.map_or(here, |[least, most]| if sense < 0.0 { least } else { most })
-}
-
-/// Column of the axis that programs retract by.
-pub(super) fn up(run: &OperationRun) -> usize {
-    run.machine.retract_axis().0
 }
 
 /// The rotary axes back to where the program began with them: at `begun`, or at the first

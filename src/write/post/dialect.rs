@@ -30,7 +30,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::pinch::PinchText;
+use super::pinch_text::PinchText;
 use super::template::{TemplateLine, lines};
 use crate::artifact::program::{Control, Grammar, Language, Programmed, Ranges, WordRange};
 use crate::error::{Error, Result, Stage};

@@ -38,9 +38,11 @@
 
 mod cycle;
 mod dialect;
+mod fixed;
 mod merge;
 mod moves;
 pub mod pinch;
+mod pinch_text;
 mod polynomial;
 mod settings;
 mod smoothing;
@@ -53,6 +55,7 @@ mod turn_in;
 mod write;
 
 pub use dialect::{Dialect, FeedWord, Numbered, Numbering, Numbers, PostFile, Rotary, Text};
+pub use pinch_text::{PINCH_KEYS, PinchText};
 pub use settings::{PostKeys, PostSettings};
 
 use std::borrow::Cow;
@@ -287,6 +290,19 @@ impl OperationRun<'_> {
     fn axes_at(&self, end: &WayEnd, lift_mm: f64) -> Axes {
         self.machine.place(&end.stand.lifted(lift_mm), Some(&end.near), self.tool.length_mm())
     }
+
+    /// The end of travel that programs retract to.
+    fn safe_up(&self) -> f64 {
+        let (up, sense) = self.machine.retract_axis();
+        let here = self.axes_at(&self.ends[0], self.ends[0].safe_mm)[up];
+        self.machine.axes()[up].limits.travel.map_or(here, |[least, most]| if sense < 0.0 { least } else { most })
+    }
+
+    /// Column of the axis that programs retract by.
+    fn up(&self) -> usize {
+        self.machine.retract_axis().0
+    }
+
     /// One rotary axis alone turns while the tool is on the path: it turns the blade, and all tool
     /// axes are on one cone about that.
     fn turns_the_blade_alone(&self) -> bool {

@@ -26,6 +26,10 @@ const ASKEW_RAD: f64 = 1.7e-4;
 /// Coefficients of `p²` to `p⁵` of every word, linear ones in mm, those of rotary axes in degrees.
 pub(super) type WordBends = Axes<[f64; 4]>;
 
+/// Gives the words of a place, mm and degrees: a column for each axis of the machine, those of X,
+/// Y, Z being the programmed point.
+pub(super) type Words<'a> = dyn Fn(&Move) -> Axes + Sync + 'a;
+
 /// The end of a cutting move.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Move {

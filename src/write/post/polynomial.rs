@@ -27,7 +27,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::OperationRun;
-use super::moves::{Move, WordBends};
+use super::moves::{Move, WordBends, Words};
 use super::spline;
 use crate::artifact::{Axes, Motion};
 use crate::error::{Error, Infeasible, Result, Stage};
@@ -43,10 +43,6 @@ const LOOKED_AT: usize = 12;
 const END: f64 = 0.05;
 /// A block is halved at most so often.
 const MOST_HALVINGS: usize = 12;
-
-/// Gives the words of a place, mm and degrees: a column for each axis of the machine, those of X,
-/// Y, Z being the programmed point.
-pub(super) type Words<'a> = dyn Fn(&Move) -> Axes + Sync + 'a;
 
 /// Solves for the coefficients of a degree.
 struct Fit {

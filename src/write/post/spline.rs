@@ -14,8 +14,7 @@
 //! meet. Halves of the curve's pieces are added until they too are as near.
 
 use super::OperationRun;
-use super::moves::{Move, WordBends};
-use super::polynomial::Words;
+use super::moves::{Move, WordBends, Words};
 use crate::artifact::programmed::Way;
 use crate::artifact::{Axes, Motion, ProgrammedCurve};
 use crate::error::{Error, Infeasible, Result, Stage};

@@ -1,6 +1,6 @@
 //! Lines of a post file taken apart: words, and values in them.
 
-use super::text::Fixed;
+use super::fixed::Fixed;
 
 /// What a value is, which decides how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,7 +9,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::{OperationRun, cycle};
+use super::OperationRun;
 use crate::artifact::Axes;
 use crate::artifact::program::Programmed;
 use crate::geometry::Vector;
@@ -36,7 +36,7 @@ pub(super) fn places(run: &OperationRun, programmed: Programmed) -> Vec<Axes> {
     let mut turned = safe;
     // A tool may be longer than planned, and strays.
     let (up, sense) = run.machine.retract_axis();
-    let end = cycle::safe_up(run) - sense * stray_mm;
+    let end = run.safe_up() - sense * stray_mm;
     turned[up] = if sense < 0.0 { safe[up].min(end) } else { safe[up].max(end) };
     let mut zero = turned;
     let (axes, rotary) = (run.machine.axes(), run.machine.rotary());

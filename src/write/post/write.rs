@@ -1,10 +1,11 @@
 //! A plan written in a dialect.
 
 use super::dialect::{Dialect, FeedWord, Rotary};
+use super::fixed::Fixed;
 use super::moves::{self, Move, WordBends};
 use super::polynomial;
 use super::template::{Class, KEYS, TemplateLine, Value, Word, WordPiece, key};
-use super::text::{Fixed, Lines, ascii, header, title};
+use super::text::{Lines, ascii, header, title};
 use super::{OperationRun, WayEnd, cycle, merge, smoothing, turn_in};
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::{CutLine, Programmed};
@@ -132,7 +133,7 @@ impl<'a> Writer<'a> {
         for (name, v) in [
             ("approach_feed", o.settings.approach_feed_mm_min),
             ("plunge_feed", o.settings.plunge_feed_mm_min),
-            ("safe_up", run.machine.axes()[cycle::up(run)].word_per_mm() * cycle::safe_up(run)),
+            ("safe_up", run.machine.axes()[run.up()].word_per_mm() * run.safe_up()),
             ("turns", run.plan.toolpath.locations.last().map_or(1.0, |l| f64::from(l.turn + 1))),
             ("tool", f64::from(o.settings.tool_number)),
             ("rpm", o.settings.spindle_rpm),
@@ -164,7 +165,7 @@ impl<'a> Writer<'a> {
         for (name, text) in [
             ("a_name", a_name),
             ("b_name", b_name),
-            ("up_name", &axes[cycle::up(run)].name),
+            ("up_name", &axes[run.up()].name),
             ("side_1_name", &axes[sides(run.machine)[0]].name),
             ("side_2_name", &axes[sides(run.machine)[1]].name),
             ("moves_b", &leaning.map_or_else(String::new, |_| format!(" and move {b_name}"))),

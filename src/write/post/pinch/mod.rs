@@ -13,19 +13,17 @@
 //! Marks stand where both tools are clear of the turning part: behind the first retract, over the
 //! first place of each stretch, and behind the way up from its last.
 
-mod text;
-
 use super::dialect::FeedWord;
+use super::fixed::Fixed;
 use super::moves::feed_word;
-use super::text::{Fixed, Lines};
+use super::pinch_text::{self, PinchText};
+use super::text::Lines;
 use super::{Dialect, PostSettings};
 use crate::artifact::Axes;
 use crate::artifact::paired::{PinchMotion, StretchMotion};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::machine::{Axis, Carries, Machine};
 use crate::tool::Tool;
-
-pub use text::{PINCH_KEYS, PinchText};
 
 /// An axis that moves by less stands still, mm or rad.
 const STILL: f64 = 1e-9;
@@ -330,7 +328,7 @@ impl<'a> Writer<'a> {
     fn filled(&self, line: &str) -> Result<String> {
         let failed = std::cell::RefCell::new(None);
         let value = |key: &str| self.value(key).map_err(|e| *failed.borrow_mut() = Some(e));
-        text::filled(line, value).map_err(|key| {
+        pinch_text::filled(line, value).map_err(|key| {
             let unknown = || Error::usage(Stage::Post, format!("there is no value {{{key}}} in `{line}`"));
             failed.take().unwrap_or_else(unknown)
         })

@@ -18,7 +18,7 @@ const CUTTER_MM: f64 = 0.01;
 
 /// A check, with its line.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::verify) struct Finding {
+pub(super) struct Finding {
     /// Which check.
     pub id: CheckId,
     /// What was measured.
@@ -54,7 +54,7 @@ fn counted(id: CheckId, quantity: &'static str, wrong: impl Iterator<Item = (usi
 }
 
 /// That a program ends, and that nothing stands behind its end.
-pub(in crate::verify) fn end(id: CheckId, script: &Script) -> Finding {
+pub(super) fn end(id: CheckId, script: &Script) -> Finding {
     let last = script.blocks.last().map_or(1, |b| b.line);
     let note = |line: &usize| {
         let end = script.end.unwrap_or(0);
@@ -74,7 +74,7 @@ fn at_feed(blocks: &[Block]) -> impl Iterator<Item = &Block> + Clone {
 }
 
 /// An own program's moves of one operation, against what they were written with.
-pub(in crate::verify) fn own<'a>(
+pub(super) fn own<'a>(
     script: &'a Script,
     blocks: &'a [Block],
     asked: Option<&'a Asked>,
@@ -97,7 +97,7 @@ pub(in crate::verify) fn own<'a>(
 
 /// Moves of a program of others: those that are known to cut, and all of them; `tolerance_mm`: how
 /// far the control may leave the path.
-pub(in crate::verify) fn theirs<'a>(
+pub(super) fn theirs<'a>(
     script: &'a Script,
     blocks: &'a [Block],
     cuts: impl Iterator<Item = &'a Block> + Clone,
