@@ -36,7 +36,7 @@ pub const PINCH_KEYS: [(&str, &str); 23] = [
 /// How a control wants programs of two tools: positions of the machine's axes.
 ///
 /// A program is these sections in this order; `row`, `down`, `cut` (once for each move) and `up`
-/// come once for each stretch. Lines are as in [`super::super::Text`], with the values of
+/// come once for each stretch. Lines are as in [`super::Text`], with the values of
 /// [`PINCH_KEYS`].
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
