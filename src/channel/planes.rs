@@ -1,5 +1,5 @@
-//! Certificates of nodes that are clear while tool and ball centre move on: room that is used up, and
-//! planes fixed to the tool. [`super::front`] says what they hold.
+//! Certificates of nodes that are clear while tool and ball centre move on: room that is used up,
+//! and planes fixed to the tool. [`super::front`] says what they hold.
 
 use crate::artifact::Cone;
 use crate::geometry::{Point, Vector};
