@@ -158,7 +158,7 @@ fn tool() -> Tool {
     }
 }
 
-/// A cutter of radius 8 with a corner of 2, as slim as the other tool above its bottom.
+/// A cutter of radius 8 with a corner of 2, no wider above its bottom than at it.
 fn cutter() -> Tool {
     Tool { radius_mm: 8.0, corner_radius_mm: Some(2.0), taper_deg: 0.0, shank_radius_mm: 8.0, ..tool() }
 }

@@ -3,7 +3,7 @@
 //! The centre of its disc goes with θ. In a piece of a window it stays within a room of where it is
 //! in the middle of the piece; there the search of balls ([`track`]) runs about that centre, with
 //! the room added to the clearance, and looks at no angle beyond. A piece that is free with its
-//! room is free; others are halved, and their room with them, down to [`ROOM_MM`].
+//! room is free; others are halved until less room does for each half, down to [`ROOM_MM`].
 
 use super::arcs::Witness;
 use super::forbidden::{Free, ObstacleScene, PlaceSearch};
@@ -17,11 +17,15 @@ use crate::parallel;
 
 /// Half of what the centre moves while one search stands for all angles of a piece, mm.
 const ROOM_MM: f64 = 0.05;
-/// Halvings of the window at most: where the centre goes farther, pieces get more room.
+/// Halvings of the room at most: where the centre goes farther, the least room is greater.
 const MOST_HALVINGS: u32 = 8;
-/// Chords by which the way of the centre over a window is measured, and what it is longer by.
-const CHORDS: usize = 8;
-const LONGER: f64 = 1.1;
+/// The part of a window that is halved no more: as the centre goes with θ unevenly, some pieces are
+/// smaller than others that need the same room.
+const LEAST_PART: f64 = 1.0 / 16_384.0;
+/// Where in a piece the distance of the centre from that in the middle is measured, and what the
+/// greatest distance between these places is more than at them.
+const MEASURED_AT: [f64; 4] = [0.0, 0.25, 0.75, 1.0];
+const BETWEEN: f64 = 1.05;
 
 /// What is free of windows, place by place.
 pub(super) fn clear_of_tool(
@@ -34,22 +38,30 @@ pub(super) fn clear_of_tool(
         (s.contact_angle_min_deg, s.contact_angle_max_deg) = (0.0, 180.0);
     });
     let places = Places { scene, samples, windows, all_angles: &all_angles };
-    let rooms = Rooms::of(parallel::map(0..samples.len(), |place| places.way_mm(place)));
-    let starts = places.starts(&rooms);
-    let mut open: Vec<Piece> = Vec::new();
+    let whole = |place| Piece { place, part: [0.0, 1.0] };
+    let reaches_mm = parallel::map(0..samples.len(), |place| places.reach_mm(&whole(place)).unwrap_or(0.0));
+    let rooms = Rooms::of(reaches_mm.into_iter().fold(0.0, f64::max));
+    let contacts_mm = places.contact_margins_mm();
+    let mut open: Vec<Vec<Piece>> = vec![Vec::new(); rooms.halvings as usize + 1];
+    let sort_in = |open: &mut Vec<Vec<Piece>>, piece: Piece, least| {
+        let fitting = places.fitting(piece, &rooms, contacts_mm[piece.place], least);
+        fitting.into_iter().for_each(|(halving, piece)| open[halving as usize].push(piece));
+    };
+    let windowed = (0..samples.len()).filter(|place| windows[*place].is_some());
+    windowed.for_each(|place| sort_in(&mut open, whole(place), 0));
     let mut decided: Vec<Vec<Decided>> = vec![Vec::new(); samples.len()];
     for halving in 0..=rooms.halvings {
-        open.extend(starts.iter().filter(|(at, _)| *at == halving).map(|(_, piece)| *piece));
+        let mut pieces = std::mem::take(&mut open[halving as usize]);
         // Along the path in one part of the windows, then in the next.
-        open.sort_by(|a, b| a.part[0].total_cmp(&b.part[0]).then(a.place.cmp(&b.place)));
-        let moved: Vec<Sample> = open.iter().map(|piece| places.moved(piece)).collect();
+        pieces.sort_by(|a, b| a.part[0].total_cmp(&b.part[0]).then(a.place.cmp(&b.place)));
+        let moved: Vec<Sample> = pieces.iter().map(|piece| places.moved(piece)).collect();
         let free = track::free_everywhere(&places.with_room(rooms.mm(halving)), &moved, observer)?;
-        for (piece, free) in std::mem::take(&mut open).into_iter().zip(free) {
+        for (piece, free) in pieces.into_iter().zip(free) {
             let Some([from, to]) = places.ends(&piece) else { continue };
             if halving == rooms.halvings || free.iter().any(|f| f.lo <= from && to <= f.hi) {
                 decided[piece.place].push(Decided { piece, free });
             } else {
-                open.extend(piece.halves());
+                piece.halves().into_iter().for_each(|half| sort_in(&mut open, half, halving + 1));
             }
         }
     }
@@ -57,24 +69,27 @@ pub(super) fn clear_of_tool(
     Ok(parallel::map(decided, |pieces| places.joined(pieces, &least_room)))
 }
 
-/// How far the centre goes over the windows, and the room of their pieces.
+/// The rooms that pieces are looked at with.
 struct Rooms {
-    ways_mm: Vec<f64>,
-    longest_mm: f64,
-    /// Halvings of the longest window until its room is small enough.
+    greatest_mm: f64,
+    /// Halvings of the greatest until it is small enough.
     halvings: u32,
 }
 
 impl Rooms {
-    fn of(ways_mm: Vec<f64>) -> Self {
-        let longest_mm = ways_mm.iter().copied().fold(0.0, f64::max);
-        let halvings = (longest_mm / (2.0 * ROOM_MM)).log2().ceil().clamp(0.0, f64::from(MOST_HALVINGS)) as u32;
-        Rooms { ways_mm, longest_mm, halvings }
+    fn of(greatest_mm: f64) -> Self {
+        let halvings = (greatest_mm / ROOM_MM).log2().ceil().clamp(0.0, f64::from(MOST_HALVINGS)) as u32;
+        Rooms { greatest_mm, halvings }
     }
 
-    /// Room of a piece after so many halvings, mm.
+    /// The room after so many halvings, mm.
     fn mm(&self, halving: u32) -> f64 {
-        0.5 * self.longest_mm / f64::from(1u32 << halving)
+        self.greatest_mm / f64::from(1u32 << halving)
+    }
+
+    /// The halvings after which the room is the least that does for a reach, if any does.
+    fn least_for(&self, reach_mm: f64) -> Option<u32> {
+        (0..=self.halvings).rev().find(|halving| reach_mm <= self.mm(*halving))
     }
 }
 
@@ -115,41 +130,48 @@ impl Places<'_> {
         self.scene.around.scene_with(self.scene.tool, self.all_angles, room_mm)
     }
 
-    /// How far the centre goes over the window of a place, at most, mm.
-    fn way_mm(&self, place: usize) -> f64 {
-        let Some([low, high]) = self.windows[place] else { return 0.0 };
-        let at = |k: usize| low + (high - low) * k as f64 / CHORDS as f64;
-        let centre = |k: usize| self.scene.centre(&self.samples[place], at(k)).map(|c| c.0);
-        let chords = (0..CHORDS).filter_map(|k| Some((centre(k + 1)? - centre(k)?).norm()));
-        CHORDS as f64 * LONGER * chords.fold(0.0, f64::max)
+    /// How far the centre goes from where it is amid a piece, at most, mm.
+    fn reach_mm(&self, piece: &Piece) -> Option<f64> {
+        let [from, to] = self.ends(piece)?;
+        let centre = |at: f64| self.scene.centre(&self.samples[piece.place], from + (to - from) * at).map(|c| c.0);
+        let middle = centre(0.5)?;
+        let reaches = MEASURED_AT.iter().filter_map(|at| Some((centre(*at)? - middle).norm()));
+        Some(BETWEEN * reaches.fold(0.0, f64::max))
     }
 
-    /// The pieces that are looked at first, each after how many halvings.
+    /// The parts of a piece that are looked at, each with the least room that does for it, after
+    /// `least` halvings or more.
     ///
-    /// A window has the least room that does for all of it. The tool above its bottom is not far
-    /// from the contact: while that is within room and way of it no piece is free, and none is
-    /// looked at.
-    fn starts(&self, rooms: &Rooms) -> Vec<(u32, Piece)> {
-        let bare = self.with_room(0.0);
-        let of_place = |place: usize| {
-            let whole = (0..=rooms.halvings).rev().find(|k| 0.5 * rooms.ways_mm[place] <= rooms.mm(*k)).unwrap_or(0);
-            let contact_mm = self.contact_margin_mm(&bare, place);
-            let first = (whole..rooms.halvings).find(|k| 2.0 * rooms.mm(*k) <= contact_mm).unwrap_or(rooms.halvings);
-            let count = 1u32 << (first - whole);
-            let share = move |k: u32| f64::from(k) / f64::from(count);
-            (0..count).map(move |k| (first, Piece { place, part: [share(k), share(k + 1)] }))
-        };
-        (0..self.samples.len()).filter(|place| self.windows[*place].is_some()).flat_map(of_place).collect()
+    /// The tool above its bottom is not far from the contact: while that is within room and way of
+    /// it no piece is free, and none is looked at. What is too small for the least room is not
+    /// free.
+    fn fitting(&self, piece: Piece, rooms: &Rooms, contact_mm: f64, least: u32) -> Vec<(u32, Piece)> {
+        let mut found = Vec::new();
+        let mut open = vec![piece];
+        while let Some(piece) = open.pop() {
+            let Some(reach_mm) = self.reach_mm(&piece) else { continue };
+            let fits =
+                |halving: u32| halving >= least && (halving == rooms.halvings || 2.0 * rooms.mm(halving) <= contact_mm);
+            match rooms.least_for(reach_mm).filter(|halving| fits(*halving)) {
+                Some(halving) => found.push((halving, piece)),
+                None if piece.part[1] - piece.part[0] > LEAST_PART => open.extend(piece.halves()),
+                None => {}
+            }
+        }
+        found
     }
 
-    /// How far the contact is from taper, shank and holder amid a window, less what these keep
+    /// How far the contact is from taper, shank and holder amid each window, less what these keep
     /// clear by, mm.
-    fn contact_margin_mm(&self, bare: &ObstacleScene, place: usize) -> f64 {
-        let s = &self.samples[place];
-        let middle = self.windows[place].and_then(|[low, high]| self.scene.centre(s, 0.5 * (low + high)));
-        let Some(((centre, axis), body)) = middle.zip(bare.bodies.first()) else { return f64::INFINITY };
-        let contact = s.centre - s.normal * self.scene.tool.corner_mm();
-        bound::margin(&body.profile, &axis, &(contact - centre))
+    fn contact_margins_mm(&self) -> Vec<f64> {
+        let bare = self.with_room(0.0);
+        let of_place = |(s, window): (&Sample, &Window)| {
+            let middle = window.and_then(|[low, high]| self.scene.centre(s, 0.5 * (low + high)));
+            let Some(((centre, axis), body)) = middle.zip(bare.bodies.first()) else { return f64::INFINITY };
+            let contact = s.centre - s.normal * self.scene.tool.corner_mm();
+            bound::margin(&body.profile, &axis, &(contact - centre))
+        };
+        self.samples.iter().zip(self.windows).map(of_place).collect()
     }
 
     /// θ at the ends of a piece.

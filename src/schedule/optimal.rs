@@ -157,11 +157,17 @@ fn refining(
 fn units(walls: &Corridor, turns: usize, third: bool) -> Option<SolverUnits> {
     let mut scale = SolverUnits::of(walls, turns);
     let thin = thinned(walls, TRIAL);
-    // Between walls that move by more than their distance from one of these samples to the next
-    // nothing goes, though something does between all of them.
-    let trial = |scale: &SolverUnits, third| {
-        let of = |walls| round(walls, scale, &Goal::Peak { third }, 1e-4);
-        of(&thin).or_else(|| if thin.s.len() < walls.s.len() { of(walls) } else { None })
+    let mut on = &thin;
+    let mut trial = |scale: &SolverUnits, third| {
+        let goal = Goal::Peak { third };
+        let found = round(on, scale, &goal, 1e-4);
+        if found.is_some() || on.s.len() == walls.s.len() {
+            return found;
+        }
+        // Between walls that move by more than their distance from one of these samples to the next
+        // nothing goes, though something does between all of them.
+        on = walls;
+        round(on, scale, &goal, 1e-4)
     };
     // Twice, since the first trial may be far off in size.
     for _ in 0..2 {

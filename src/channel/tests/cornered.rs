@@ -5,7 +5,12 @@ use std::f64::consts::TAU;
 use nalgebra::Isometry3;
 use proptest::prelude::*;
 
-use super::super::{ChannelOptions, Surroundings, advise, intervals, plan};
+use super::super::arcs::Witness;
+use super::super::cornered::apart;
+use super::super::forbidden::Free;
+use super::super::report::Reporter;
+use super::super::samples::Sample;
+use super::super::{ChannelOptions, Surroundings, advise, intervals, plan, samples_of};
 use super::brute::{any_mesh, cases};
 use super::world;
 use crate::artifact::channel::Binding;
@@ -96,6 +101,29 @@ fn a_hollow_too_narrow_is_refused_with_the_inclination_that_would_do() {
 /// What is advised is the closed form but for the way from place to place, of 0.01 rad, over which
 /// windows overlap: the least inclination of the disc there is, and the widest disc that the range
 /// of contact angle leaves.
+/// Where windows of 3 to 20° go on 25° farther at once, and the normal turns by 0.01 rad, they
+/// would join at 28.57° before that.
+#[test]
+fn angles_that_do_not_join_are_told_with_the_one_that_would() {
+    let (blade, tool, path) = (world::blade(trough(40)), bull(), along_the_trough(2.0));
+    let options = options(3.0, 20.0);
+    let around = Surroundings::new(&blade, &[], tool.radius_mm).unwrap();
+    let samples = samples_of(&tool, &path, &options);
+    let scene = around.scene(&tool, &options);
+    let window = |s: &Sample| {
+        let [lo, hi] = [3f64, 20.0].map(|angle| s.azimuth + angle.to_radians());
+        Free { lo, hi, lo_by: Witness::Contact, hi_by: Witness::Contact }
+    };
+    let mut layers: Vec<Vec<Free>> = samples.iter().map(|s| vec![window(s)]).collect();
+    for f in layers[15..].iter_mut().flatten() {
+        (f.lo, f.hi) = (f.lo + 25f64.to_radians(), f.hi + 25f64.to_radians());
+    }
+    let reporter = Reporter { blade: &blade, path: &path, scene: &scene, samples: &samples, is_start: true };
+    let refused = |at| apart(&layers, &reporter, at).unwrap().message;
+    assert!(refused(15).contains("; at 28.57° just before they would"), "{}", refused(15));
+    assert!(!refused(14).contains("just before they would"), "{}", refused(14));
+}
+
 #[test]
 fn the_least_inclination_and_the_widest_cutter_are_advised() {
     let (blade, tool, mut path) = (world::blade(trough(400)), bull(), along_the_trough(2.0));

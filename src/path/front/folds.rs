@@ -15,13 +15,21 @@ const OVERRUN_CORNERS: f64 = 0.96;
 /// Cosine between the ways to a node and on from it under which a turn has a cusp there.
 const CUSP: f64 = -0.5;
 
-/// Whether the turn goes back the way it came at a node: across it is no direction there.
-fn is_cusp(turn: &[Node], i: usize) -> bool {
-    let Some([a, b, c]) = i.checked_sub(1).and_then(|k| turn.get(k..k + 3)).and_then(|w| w.first_chunk()) else {
-        return false;
+/// A turn without the nodes at which it goes back the way it came: where two sides of the turn
+/// before it run into one another, what is left of one may lie within what the other leaves.
+pub fn without_cusps(nodes: Vec<Node>) -> Vec<Node> {
+    let is_cusp = |[a, b, c]: [&Node; 3]| {
+        let (to, on) = (b.touch.centre - a.touch.centre, c.touch.centre - b.touch.centre);
+        to.dot(&on) < CUSP * to.norm() * on.norm()
     };
-    let (to, on) = (b.touch.centre - a.touch.centre, c.touch.centre - b.touch.centre);
-    to.dot(&on) < CUSP * to.norm() * on.norm()
+    let mut kept: Vec<Node> = Vec::with_capacity(nodes.len());
+    for node in nodes {
+        while matches!(&kept[..], [.., a, b] if is_cusp([a, b, &node])) {
+            kept.pop();
+        }
+        kept.push(node);
+    }
+    kept
 }
 
 /// The neighbours of a turn with which the next turn goes on.
@@ -55,20 +63,11 @@ impl Front<'_> {
         };
         let least = if self.follows_corners() { OVERRUN_CORNERS } else { OVERRUN };
         let overruns = |chain: &Overrun, i: usize, node: &Node| {
-            let (q, way) = (&node.touch.centre, node.touch.centre - turn[i].touch.centre);
-            if self.across.level.inclined.is_none() {
-                return node.stop.is_none() && chain.is_nearer(q, i, least * way.norm());
-            }
+            let way = node.touch.centre - turn[i].touch.centre;
             // Cutters with a corner have their neighbours aslant across the turn.
-            let ahead = |k: usize, side: &Vector| {
-                let beside = next.get(k).copied().flatten().filter(|n| n.stop.is_none())?;
-                Some((beside.touch.centre - turn[k].touch.centre).dot(side))
-            };
-            let across_mm = way.cross(&along[i]).norm();
-            node.stop.is_none()
-                && (is_cusp(turn, i)
-                    || chain.is_nearer(q, i, least * across_mm)
-                    || chain.has_behind(q, i, (way.norm(), least), ahead))
+            let is_aslant = self.across.level.inclined.is_some();
+            let way = if is_aslant { way.cross(&along[i]).norm() } else { way.norm() };
+            node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, least * way)
         };
         let mut end = turn.len() - 1;
         let mut kept: Vec<(usize, Node)> = Vec::new();

@@ -1,5 +1,6 @@
 //! Turns laid one from the other, touch by touch, to either side.
 
+use super::folds::without_cusps;
 use super::neighbour::{Heading, Next};
 use super::node::{LEAST_SHARE, Node, arc_lengths, is_ring};
 use super::overrun::Overrun;
@@ -180,6 +181,7 @@ impl Front<'_> {
         } else {
             nodes
         };
+        let nodes = if self.across.level.inclined.is_some() { without_cusps(nodes) } else { nodes };
         Ok(self.spaced(nodes))
     }
 

@@ -59,57 +59,23 @@ impl Overrun {
     /// Whether the turn comes nearer to `q`, which is a neighbour of its node `of`, than
     /// `least_mm`.
     pub fn is_nearer(&self, q: &Point, of: usize, least_mm: f64) -> bool {
-        self.any_near(q, of, least_mm, |_| true)
-    }
-
-    /// Whether the turn, where it comes nearer to `q` than `way_mm` beside one of its nodes, has
-    /// `q` behind it, or less far ahead than the share `least` of what its own neighbours are;
-    /// `ahead` tells how far a neighbour of a node of the turn is ahead in a direction.
-    ///
-    /// For stepovers that are not the same in all directions: two sides that run into one another
-    /// may have neighbours at different distances, and those of the one may come through the other.
-    pub fn has_behind(
-        &self,
-        q: &Point,
-        of: usize,
-        (way_mm, least): (f64, f64),
-        ahead: impl Fn(usize, &Vector) -> Option<f64>,
-    ) -> bool {
-        self.any_near(q, of, way_mm, |k| {
-            let [a, b] = [&self.turn[k], &self.turn[k + 1]];
-            let along = b.touch.centre - a.touch.centre;
-            let beside = (q - a.touch.centre).dot(&along);
-            if !(0.0..=along.norm_squared()).contains(&beside) {
-                return false;
-            }
-            let Some(side) = along.cross(&a.touch.normal).try_normalize(1e-9) else { return false };
-            let own_mm = k.checked_sub(self.first).and_then(|node| ahead(node, &side)).unwrap_or(0.0);
-            (q - a.touch.centre).dot(&side) < least * own_mm.max(0.0)
-        })
-    }
-
-    /// Whether `is` says so of any way between two nodes, from the first of these, that comes
-    /// nearer to `q`, which is a neighbour of the node `of` of the turn, than `near_mm`.
-    fn any_near(&self, q: &Point, of: usize, near_mm: f64, is: impl Fn(usize) -> bool) -> bool {
         let of = self.first + of;
         let distance = |k: usize| (self.turn[k].touch.centre - q).norm();
-        let is_near = |k: usize| {
-            let (a, b) = (&self.turn[k].touch.centre, &self.turn[k + 1].touch.centre);
-            (closest_on_segment(a, b, q) - q).norm() < near_mm && is(k)
-        };
         let mut k = of;
         while k + 1 < self.turn.len() {
-            if is_near(k) {
+            let (a, b) = (&self.turn[k].touch.centre, &self.turn[k + 1].touch.centre);
+            if (closest_on_segment(a, b, q) - q).norm() < least_mm {
                 return true;
             }
-            k = self.after(k, distance(k) - near_mm);
+            k = self.after(k, distance(k) - least_mm);
         }
         let mut k = of;
         while k > 0 {
-            if is_near(k - 1) {
+            let (a, b) = (&self.turn[k - 1].touch.centre, &self.turn[k].touch.centre);
+            if (closest_on_segment(a, b, q) - q).norm() < least_mm {
                 return true;
             }
-            let free = self.s_mm[k] - (distance(k) - near_mm - self.longest_mm).max(0.0);
+            let free = self.s_mm[k] - (distance(k) - least_mm - self.longest_mm).max(0.0);
             k = (k - 1).min(self.s_mm.partition_point(|s| *s <= free));
         }
         false
