@@ -23,31 +23,39 @@ impl Schedule {
             _ => 0.0,
         }
     }
+
+    /// θ of the schedule's curve at a share of the way between two neighbouring locations, given by
+    /// their numbers and arc lengths, rad; `None` where the curve does not go through the angles of
+    /// both.
+    pub fn theta_on_curve(&self, rows: [usize; 2], s_mm: [f64; 2], share: f64) -> Option<f64> {
+        let meets = (0..2).all(|k| self.curve_meets(rows[k], s_mm[k]));
+        meets.then(|| self.curve_at(s_mm[0] + (s_mm[1] - s_mm[0]) * share)).flatten()
+    }
 }
 
 /// How θ goes from a location to the next.
 #[derive(Clone, Copy, Debug)]
 struct Turning<'a> {
     schedule: &'a Schedule,
+    rows: [usize; 2],
     s_mm: [f64; 2],
-    on_curve: bool,
 }
 
 impl Turning<'_> {
     /// θ of the schedule's curve at a share of the way, rad, where the curve goes through the
     /// angles of both locations.
     fn at(&self, share: f64) -> Option<f64> {
-        let [s, s1] = self.s_mm;
-        self.on_curve.then(|| self.schedule.curve_at(s + (s1 - s) * share)).flatten()
+        self.schedule.theta_on_curve(self.rows, self.s_mm, share)
     }
 
     /// The first joint of two pieces of the curve strictly between two shares of the way.
     fn joint_between(&self, from: f64, to: f64) -> Option<f64> {
+        self.at(0.0)?;
         let [s, s1] = self.s_mm;
         let (low, high) = (s + (s1 - s) * from, s + (s1 - s) * to);
         let pieces = &self.schedule.pieces;
         let joint = pieces.get(pieces.partition_point(|p| p[3][0] <= low)).map(|p| p[3][0]);
-        joint.filter(|j| self.on_curve && *j < high).map(|j| (j - s) / (s1 - s))
+        joint.filter(|j| *j < high).map(|j| (j - s) / (s1 - s))
     }
 }
 
@@ -134,8 +142,7 @@ impl<'a> Motion<'a> {
         if !known || !s_mm.iter().all(|v| v.is_finite()) {
             return None;
         }
-        let on_curve = (0..2).all(|k| self.schedule.curve_meets(rows[k], s_mm[k]));
-        Some(Turning { schedule: self.schedule, s_mm, on_curve })
+        Some(Turning { schedule: self.schedule, rows, s_mm })
     }
 }
 

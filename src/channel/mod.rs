@@ -198,11 +198,12 @@ impl<'a> Surroundings<'a> {
         }
         // A place where nothing is free comes before one where angles do not join: it says what
         // would do.
-        match layers.iter().position(Vec::is_empty) {
-            Some(taken) => cornered::closed(self, tool, options, (reporter, taken)),
-            None => cornered::apart(layers, reporter, at),
-        }
-        .unwrap_or_else(|| reporter.closed(layers, at))
+        let taken: Vec<usize> = (0..layers.len()).filter(|k| layers[*k].is_empty()).collect();
+        let Some(first) = taken.first() else {
+            return cornered::apart(layers, reporter, at).unwrap_or_else(|| reporter.closed(layers, at));
+        };
+        let by_disc = taken.iter().find_map(|k| cornered::closed(self, tool, options, (reporter, *k)));
+        by_disc.unwrap_or_else(|| reporter.closed(layers, *first))
     }
 
     fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> ObstacleScene<'s> {

@@ -224,7 +224,14 @@ impl Reporter<'_> {
         if !self.free_with(sample, &|_| true, self.scene.options).is_empty() {
             ends = self.axes_short(sample);
             let words: Vec<String> = ends.iter().map(|b| self.blame(b)).collect();
-            said = vec![format!("{} leaves none of what is free of all bodies", words.join(", or "))];
+            said = vec![match words.is_empty() {
+                false => format!("{} leaves none of what is free of all bodies", words.join(", or ")),
+                // The windows of a cutter with a corner join on to one another.
+                true => "the surface turns faster there than the contact angle can follow".into(),
+            }];
+            if ends.is_empty() {
+                ends.push(Binding::ContactAngle);
+            }
         } else if !self.free_with(sample, &|_| true, &wide).is_empty() {
             said.push("with a wider range of contact angle there would be room".into());
             ends.push(Binding::ContactAngle);

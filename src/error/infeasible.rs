@@ -81,6 +81,8 @@ pub enum Stopped {
     Face(u32),
     /// A corner with a wall that leans too far.
     Corner,
+    /// A cutter with a corner would cut the part beside its contact.
+    CutsBeside,
     /// Turns come no nearer to the end of the region.
     NoNearer,
     /// The region ends.

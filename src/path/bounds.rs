@@ -25,6 +25,8 @@ pub enum Stop {
     Rim(Point),
     /// Two walls at once, of which the farther one leans over too much: its contact.
     Corner(Point),
+    /// A cutter with a corner would cut the part beside its contact, farther on than this one.
+    Disc(Point),
 }
 
 /// Turn of the normal in a step of a walk, rad.
@@ -44,12 +46,21 @@ pub struct Bounds<'a> {
     pub ends: &'a [Boundary],
     /// The rim that may not be touched.
     pub rim: Option<&'a Rim>,
+    /// Whether the disc of a cutter with a corner must have room at the part.
+    pub disc_fits: bool,
 }
 
 impl<'a> Bounds<'a> {
     /// The bounds that the ends of a region set to the places of a path.
     pub fn of(along: Along, ends: &'a [Boundary], rim: Option<&'a Rim>, max_lean_rad: f64) -> Bounds<'a> {
-        Bounds { along, x_mm: [lowest_mm(ends), f64::INFINITY], max_sin_lean: max_lean_rad.sin(), ends, rim }
+        Bounds {
+            along,
+            x_mm: [lowest_mm(ends), f64::INFINITY],
+            max_sin_lean: max_lean_rad.sin(),
+            ends,
+            rim,
+            disc_fits: false,
+        }
     }
 
     /// No bounds.
@@ -59,6 +70,7 @@ impl<'a> Bounds<'a> {
         max_sin_lean: f64::INFINITY,
         ends: &[],
         rim: None,
+        disc_fits: false,
     };
 
     /// Whether a touch is on a face that may not be touched.

@@ -149,6 +149,10 @@ impl<'a> Laying<'a> {
         let ring = rings::first_ring(blade, level, options, start_x, &tracing)?;
         let bounds =
             Bounds::of(level.along, &options.extent.ends, level.rim, options.settings.max_lean_deg.to_radians());
+        // Where the region's end is asked for, or the cutter has no room from the start, the
+        // channel is refused with the inclination that would do.
+        let disc_fits = options.extent.ends.is_empty() && ring.touches.iter().all(|t| level.disc_fits(t));
+        let bounds = Bounds { disc_fits, ..bounds };
         let lowest_mm = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
         Ok(Laying { blade, level, options, observer, start_x, ring, bounds, lowest_mm, tracing, flat_mm, evens_ways })
     }
@@ -263,6 +267,7 @@ impl<'a> Laying<'a> {
                 max_sin_lean: (options.settings.max_lean_deg.to_radians() + ROOM_RAD).min(FRAC_PI_2).sin(),
                 ends: self.options.extent.start_faces(),
                 rim: None,
+                disc_fits: false,
             };
             let plain = self.search(options.settings.scallop_mm);
             let up = Front {
@@ -324,6 +329,7 @@ fn stopped(laid: &Laid) -> (Stopped, Option<Point>) {
         Some(Stop::Face(p, face)) => (Stopped::Face(face), Some(p)),
         Some(Stop::Rim(p)) => (Stopped::Rim, Some(p)),
         Some(Stop::Corner(p)) => (Stopped::Corner, Some(p)),
+        Some(Stop::Disc(p)) => (Stopped::CutsBeside, Some(p)),
         // Places that wait at the height, and others that never come to it.
         Some(Stop::Height) | None => match laid.last().iter().find(|n| n.stop.is_none()) {
             Some(free) if !laid.is_at_the_end() => (Stopped::NoNearer, Some(free.touch.centre)),
@@ -345,6 +351,10 @@ fn end_reason(blade: &Blade, stop: (Stopped, Option<Point>), options: &PathOptio
         Stopped::Edge => at("the ball comes to an edge of the part".into()),
         Stopped::Face(face) => at(format!("the ball comes to face {}, which ends the region,", face + 1)),
         Stopped::Corner => at(format!("in the corner the ball meets a wall that leans over more than {most_deg:.0}°")),
+        Stopped::CutsBeside => {
+            let most_deg = options.inclined.map_or(0.0, |i| i.contact_rad[1].to_degrees());
+            at(format!("farther down, inclined by {most_deg:.0}°, the cutter cuts the part beside its contact:"))
+        }
         Stopped::NoNearer => at("turns come no nearer to the end of the region".into()),
         _ => at(format!("a ball of radius {} mm cannot follow the surface", options.radius_mm)),
     })

@@ -256,7 +256,8 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
     };
     let how = rings::tracing(&o);
     let ring = rings::first_ring(&blade, &level, &o, 30.0, &how).unwrap().touches;
-    let bounds = Bounds { along: Along::BLADE, x_mm: [0.0, 60.0], max_sin_lean: 1.0, ends: &[], rim: None };
+    let bounds =
+        Bounds { along: Along::BLADE, x_mm: [0.0, 60.0], max_sin_lean: 1.0, ends: &[], rim: None, disc_fits: false };
     let across = Across { level: &level, bounds, min_step_mm: how.min_step_mm };
     let flat_mm = flat_stepover_mm(R, H);
     let front = Front {

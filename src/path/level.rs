@@ -63,10 +63,30 @@ const ON_LEVEL_MM: f64 = 1e-6;
 /// Newton steps before giving up; smooth places need 3, concave creases converge linearly.
 const MAX_STEPS: usize = 60;
 
+/// Where on the rim of a disc it is looked for what it cuts, rad from the contact.
+const RIM_RAD: [f64; 11] = [-2.4, -1.8, -1.2, -0.7, -0.3, 0.3, 0.7, 1.2, 1.8, 2.4, std::f64::consts::PI];
+/// What the rim may come nearer to the part than its corner does at the contact, mm.
+const RIM_MM: f64 = 1e-3;
+
 impl LevelSet<'_> {
     /// Whether the part is a mesh.
     pub fn is_over_facets(&self) -> bool {
         self.part.brep.is_none()
+    }
+
+    /// Whether the disc of a cutter with a corner, inclined as far as it may be, has room at the
+    /// part where the corner touches it. A ball always has. The rim is looked at in some places
+    /// only: what the channel finds between them is refused there.
+    pub fn disc_fits(&self, touch: &Touch) -> bool {
+        let Some(inclined) = &self.inclined else { return true };
+        let disc = inclined.disc_with_room(&touch.centre, &touch.normal);
+        let to_contact = touch.centre - disc.centre;
+        let aside = disc.axis.cross(&to_contact);
+        let is_clear = |angle: &f64| {
+            let at = disc.centre + to_contact * angle.cos() + aside * angle.sin();
+            self.part.closest(&at, self.radius_mm - RIM_MM).is_none()
+        };
+        RIM_RAD.iter().all(is_clear)
     }
 
     /// Moves a guess within its plane across the region onto the level set, see
@@ -119,5 +139,58 @@ impl LevelSet<'_> {
             }
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::artifact::Cone;
+    use crate::geometry::mesh::Mesh;
+    use crate::geometry::part::Part;
+    use crate::sample;
+    use crate::tool::Tool;
+
+    /// A third of a round trough about the blade axis, seen from within.
+    fn trough(radius_mm: f64) -> Mesh {
+        const STEPS: u32 = 4000;
+        let mut mesh = Mesh::default();
+        for k in 0..=STEPS {
+            let (s, c) = (2.1 * f64::from(k) / f64::from(STEPS)).sin_cos();
+            mesh.points.extend([-20.0, 20.0].map(|x| Point::new(x, radius_mm * c, radius_mm * s)));
+        }
+        for k in 0..STEPS {
+            let [a, b] = [2 * k, 2 * k + 2];
+            mesh.triangles.extend([[a, b, a + 1], [a + 1, b, b + 1]]);
+            mesh.face_of.extend([0, 0]);
+        }
+        mesh
+    }
+
+    /// A disc of radius `R` inclined by `α` has room in a trough of radius `ρ` where
+    /// `sin α ≥ R / (ρ − r)`.
+    #[test]
+    fn a_disc_has_room_in_a_trough_that_is_wide_enough() {
+        let tool = Tool { radius_mm: 8.0, corner_radius_mm: Some(2.0), ..sample::tool() };
+        let inclined = Inclined::new(&tool, [3.0, 12.0], Cone::about_blade(0.0)).unwrap();
+        let least_mm = |room_rad: f64| 2.0 + 6.0 / (12f64.to_radians() - room_rad).sin();
+        let fits = |radius_mm: f64| {
+            let part = Part::from_mesh(trough(radius_mm));
+            let level = LevelSet {
+                part: Allowed::new(&part, 0.0),
+                along: Along::BLADE,
+                radius_mm: 2.0,
+                rim: None,
+                inclined: Some(inclined),
+                lowest_mm: f64::NEG_INFINITY,
+            };
+            let towards = Point::new(0.0, 0.5, 0.75f64.sqrt()) * (radius_mm - 2.0);
+            level.disc_fits(&level.touch(&towards, 1.0).unwrap())
+        };
+        // θ keeps 0.03 rad of room.
+        assert!(fits(1.01 * least_mm(0.03)));
+        assert!(!fits(0.99 * least_mm(0.03)));
+        assert!(!fits(least_mm(0.0)));
     }
 }

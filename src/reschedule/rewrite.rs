@@ -314,8 +314,8 @@ impl<'a> Rewriter<'a> {
         Ok(())
     }
 
-    /// Where the tool is to stand: at the end of the line, and between, evenly, as often as keeps
-    /// the ball on its straight way.
+    /// Where the tool is to stand: at the end of the line, and between, as the schedule's motion
+    /// has it, as often as keeps the ball on its straight way.
     fn stands(
         &self,
         [before, place]: [&Place; 2],
@@ -329,16 +329,16 @@ impl<'a> Rewriter<'a> {
         let all = &planned.course.path.locations;
         let [Some(from), Some(to)] = [all.get(a), all.get(b)] else { return Err("it has no place".into()) };
         let theta = |row: usize| planned.schedule.theta.get(row).copied().unwrap_or(f64::NAN);
-        let [from_cone, to_cone] = [a, b].map(|row| planned.course.path.cone(row));
-        let at = |share: f64| {
-            let s_mm = from.s_mm + (to.s_mm - from.s_mm) * share;
-            let even = theta(a) + (theta(b) - theta(a)) * share;
-            let on_curve = planned.schedule.curve_at(s_mm).filter(|t| (t - even).abs() < 0.1);
-            let theta = if share == 1.0 { theta(b) } else { on_curve.unwrap_or(even) };
-            let centre = before.stand.centre + (place.stand.centre - before.stand.centre) * share;
-            Stand { centre, cone: from_cone.between(&to_cone, share), theta }
+        let stand = |row: usize, there: &Place| {
+            let (centre, cone) = (there.stand.centre, planned.course.path.cone(row));
+            Stand { centre, cone, theta: theta(row) }
         };
-        let end = at(1.0);
+        let (start, end) = (stand(a, before), stand(b, place));
+        let at = |share: f64| {
+            let straight = planned.schedule.between(&start, &end, share);
+            let on_curve = planned.schedule.theta_on_curve([a, b], [from.s_mm, to.s_mm], share);
+            Stand { theta: on_curve.unwrap_or(straight.theta), ..straight }
+        };
         let there = self.columns(own.words, &end, &modal.columns)?;
         let new = Moved { from: modal.columns, to: there, bend: None, ..*own };
         let off = |m: &Moved| {

@@ -77,7 +77,17 @@ impl Inclined {
     /// contact angle. Where the contact angle is greater at every θ, with its axis as near to the
     /// normal as it comes.
     pub fn disc(&self, corner: &Point, normal: &Vector) -> Disc {
-        let axis = self.axis(normal, self.range_rad(normal)[1]);
+        self.disc_leaning(corner, normal, self.range_rad(normal)[1])
+    }
+
+    /// The same where it leans forwards so little that θ has room of [`SPAN_RAD`].
+    pub fn disc_with_room(&self, corner: &Point, normal: &Vector) -> Disc {
+        let [least, high] = self.range_rad(normal);
+        self.disc_leaning(corner, normal, least.max(high - SPAN_RAD))
+    }
+
+    fn disc_leaning(&self, corner: &Point, normal: &Vector, on_rad: f64) -> Disc {
+        let axis = self.axis(normal, on_rad);
         let across = normal - axis * axis.dot(normal);
         let aside = across.try_normalize(1e-9).unwrap_or_else(Vector::zeros);
         Disc { centre: corner + aside * self.disc_radius_mm, axis, radius_mm: self.disc_radius_mm }

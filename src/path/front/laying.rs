@@ -78,6 +78,11 @@ impl Rest {
     }
 }
 
+/// The greatest way to a neighbour under cutters with a corner over that which a tenth of the nodes
+/// is under.
+const TOGETHER: f64 = 2.0;
+const NEAR_RANK: f64 = 0.1;
+
 /// How a turn runs: what the neighbours of its nodes are sought by.
 pub struct Course {
     /// Unit directions at its nodes.
@@ -158,6 +163,9 @@ impl Front<'_> {
         }
         let course = self.course(before, &tail, turn);
         let mut next = self.neighbours(turn, &course, before.is_none());
+        if self.across.level.inclined.is_some() {
+            next = self.kept_together(turn, &course, next);
+        }
         if self.evens_ways {
             next = self.even_ways(turn, &course, next);
         }
@@ -212,6 +220,31 @@ impl Front<'_> {
             next[n] = self.neighbour_of(&turn[n], round, on, 1.0);
         }
         next
+    }
+
+    /// Neighbours no farther off than [`TOGETHER`] times as far as where they are near.
+    ///
+    /// On hollow ground that bends hardly less than a cutter with a corner its passes leave next to
+    /// nothing between them, at edges that it passes leaning aside as much as its corner does.
+    /// Turns that run ahead so far on one side stand across the blade soon, where cutters lean
+    /// aside all the more.
+    fn kept_together(&self, turn: &[Node], course: &Course, next: Neighbours) -> Neighbours {
+        let is_free = |i: usize| course.shares[i] >= LEAST_SHARE;
+        let free = next.iter().enumerate().filter(|(i, _)| is_free(*i)).filter_map(|(_, n)| *n);
+        let mut ways: Vec<f64> = free.filter(|n| n.stop.is_none()).map(|n| n.way_mm).collect();
+        ways.sort_by(f64::total_cmp);
+        let Some(near_mm) = ways.get((NEAR_RANK * ways.len() as f64) as usize) else { return next };
+        let most_mm = TOGETHER * near_mm;
+        let held = |i: usize| {
+            let node = next[i]?;
+            if i == 0 || node.stop.is_some() || node.way_mm <= most_mm || !is_free(i) {
+                return Some(node);
+            }
+            let from = Heading { touch: turn[i].touch, along: course.along[i] };
+            let Next { touch, stop, .. } = self.across.reach(&from, &course.round, most_mm * course.shares[i])?;
+            Some(Node { touch, way_mm: most_mm, stop })
+        };
+        parallel::map(0..next.len(), held)
     }
 
     /// The end of a turn, as long as the evening of a front looks.

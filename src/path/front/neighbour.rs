@@ -39,6 +39,8 @@ const NEAR_BY: f64 = 0.02;
 /// Cosine between the way to a neighbour and the direction square to a turn, at least: where a
 /// cutter leans aside more than along its way neighbours are sought square to it.
 const LEAST_ASIDE: f64 = 0.15;
+/// Halvings towards the last place at which a disc has room: a thousandth of the stepover.
+const DISC_HALVINGS: usize = 10;
 /// Halvings towards a bound: the stepover times 10⁻⁸.
 const HALVINGS: usize = 27;
 
@@ -119,7 +121,26 @@ impl Across<'_> {
         let next = self
             .straight(from, ridge, h_mm, guess_mm)
             .or_else(|| self.walk(from, guess_mm, |t, _| ridge(t).unwrap_or(f64::INFINITY) >= h_mm))?;
-        Some(self.short_of_an_edge(from, turn, next))
+        Some(self.short_of_cutting(from, self.short_of_an_edge(from, turn, next)))
+    }
+
+    /// The same, or the last place on the way there at which the disc of a cutter with a corner has
+    /// room at the part.
+    fn short_of_cutting(&self, from: &Heading, next: Next) -> Next {
+        if !self.bounds.disc_fits || self.level.disc_fits(&next.touch) {
+            return next;
+        }
+        let stop = Some(Stop::Disc(next.touch.contact));
+        let mut fits = Next { touch: from.touch, way_mm: 0.0, stop };
+        let mut cuts_mm = next.way_mm;
+        for _ in 0..DISC_HALVINGS {
+            let middle = 0.5 * (fits.way_mm + cuts_mm);
+            match self.at_way(from, middle) {
+                Some(n) if self.level.disc_fits(&n.touch) => fits = Next { way_mm: middle, stop, ..n },
+                _ => cuts_mm = middle,
+            }
+        }
+        fits
     }
 
     /// The same, or where the ball begins to roll over a sharp edge on the way there, unless the

@@ -170,7 +170,7 @@ fn deviation_mm(run: &OperationRun, programmed: Programmed, a: &Move, b: &Move) 
     match programmed {
         Programmed::Centre => askew_mm(run, a, b),
         Programmed::Tip => {
-            let [at_a, at_b, between] = [a.stand, b.stand, halfway(a, b)].map(|s| s.axis());
+            let [at_a, at_b, between] = [a.stand, b.stand, halfway(run, a, b)].map(|s| s.axis());
             if run.turns_the_blade_alone() {
                 return radius * (0.5 * (at_a + at_b) - between).norm();
             }
@@ -208,10 +208,9 @@ fn mean(p: &[f64], q: &[f64]) -> Axes {
     Axes::from_fn(p.len(), |i| 0.5 * (p[i] + q[i]))
 }
 
-/// Halfway on the straight move.
-fn halfway(a: &Move, b: &Move) -> Stand {
-    // The mean of both angles, to the bit.
-    Stand { theta: 0.5 * (a.stand.theta + b.stand.theta), ..a.stand.towards(&b.stand, 0.5) }
+/// Halfway on the straight move, as it is cut into parts.
+fn halfway(run: &OperationRun, a: &Move, b: &Move) -> Stand {
+    run.plan.schedule.between(&a.stand, &b.stand, 0.5)
 }
 
 /// The tool axis halfway between two locations, the rotary axes turning evenly.
@@ -226,7 +225,7 @@ fn askew_mm(run: &OperationRun, a: &Move, b: &Move) -> f64 {
     if run.turns_the_blade_alone() {
         return 0.0;
     }
-    let between = halfway(a, b).axis();
+    let between = halfway(run, a, b).axis();
     0.5 * run.plan.toolpath.chord_mm * (halfway_axis(run, a, b) - between).norm() / ASKEW_RAD
 }
 
