@@ -1,7 +1,9 @@
-//! Names the build: a hash of everything in this package that a result follows from. Two builds of one version that would compute
-//! different things are told apart by it, on any machine that builds the same sources it is the same.
+//! Names the build: a hash of everything in this package that a result follows from. It differs
+//! between two builds of one version that would compute different things. Any machine that builds
+//! the same sources gets the same name.
 //!
-//! In it: `src`, the viewer's bundle, the built-in machine, posts and tools, and `Cargo.lock`, which pins the dependencies.
+//! In it: `src`, the viewer's bundle, the built-in machine, posts and tools, and `Cargo.lock`, which
+//! pins the dependencies.
 
 use std::path::{Path, PathBuf};
 
@@ -30,7 +32,8 @@ fn main() -> std::io::Result<()> {
     Ok(())
 }
 
-/// All files below a path; none where there is nothing, as where a package comes without its lock file.
+/// All files below a path; none where there is nothing, as where a package comes without its lock
+/// file.
 fn collect(path: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
     if path.is_file() {
         files.push(path.to_path_buf());

@@ -31,16 +31,20 @@ lint-s3:
 corpus-table:
     cargo nextest run --release --run-ignored only --no-capture -E 'test(/^corpus_table::/)'
 
-# Mutated models and programs against every reader: seconds (600) or executions (1000000x) for each of the formats (all, models, programs, or names)
+# The length is in seconds (600) or executions (1000000x) for each of the formats, which are all,
+# models, programs, or names.
+# Mutated models and programs against every reader
 fuzz length="600" formats="all":
     cargo run --release --example fuzz_readers -- {{length}} {{formats}}
 
-# Bull-nose and flat cutters on triangles beside OpenCAMLib: Python (PYTHON=...) with `pip install opencamlib`
+# Needs Python (PYTHON=...) with `pip install opencamlib`.
+# Bull-nose and flat cutters on triangles beside OpenCAMLib
 opencamlib places="2000":
     cargo build --release --example drop_cutter
     "${PYTHON:-python3}" tests/opencamlib/compare.py target/release/examples/drop_cutter {{places}}
 
-# Closest points, inside, area and volume beside OpenCASCADE: Python (PYTHON=...) with `pip install cadquery-ocp numpy`
+# Needs Python (PYTHON=...) with `pip install cadquery-ocp numpy`, as do the next three.
+# Closest points, inside, area and volume beside OpenCASCADE
 occ points="10000" *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":
     cargo build --release --examples --bins
     "${PYTHON:-python3}" tests/occ/compare.py target/release {{points}} {{models}}
@@ -50,12 +54,14 @@ occ-dense points="10000" *models="models/steam_root.step":
     cargo build --release --examples --bins
     "${PYTHON:-python3}" tests/occ/dense.py target/release {{points}} {{models}}
 
-# Every kind of face, file and unit of STEP and IGES as OpenCASCADE writes them: closed, with its area and volume
+# Each is to be closed, with its area and volume.
+# Every kind of face, file and unit of STEP and IGES as OpenCASCADE writes them
 occ-entities:
     cargo build --release --bins
     "${PYTHON:-python3}" tests/occ/entities.py target/release
 
-# Loading time beside OpenCASCADE; models may be meshes (STL, OBJ), MODEL@m is one in metres whatever it says
+# Models may be meshes (STL, OBJ), MODEL@m is one in metres whatever it says.
+# Loading time beside OpenCASCADE
 occ-load *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":
     cargo build --release --examples
     "${PYTHON:-python3}" tests/occ/load.py target/release {{models}}
@@ -64,7 +70,8 @@ occ-load *models="models/steam_root.step models/compressor_twist.step models/tur
 brute times="50":
     BLADEWRIGHT_CASES={{times}} cargo nextest run --release --lib channel::tests::brute
 
-# Motions of the project's blades under three sets of limits, differentiated by code that did not plan them: Python 3.11
+# Needs Python 3.11.
+# Motions of the project's blades, differentiated by code that did not plan them
 motion:
     cargo build --release
     bash tests/motion/run.sh target/release/bladewright
@@ -73,12 +80,14 @@ motion:
 bench-channel:
     cargo bench --bench channel
 
-# Programs of the examples read by LinuxCNC's interpreter (apt) and nc-gcode-interpreter (PyPI), kinematics beside LinuxCNC's
+# The interpreters are of apt (linuxcnc-uspace) and PyPI. Kinematics are compared with LinuxCNC's.
+# Programs of the examples read by LinuxCNC's interpreter and nc-gcode-interpreter
 controls:
     cargo build --release --bins --example axis_positions
     bash tests/controls/run.sh target/release/bladewright target/release/examples/axis_positions
 
-# The feed beside toppra and copp, and seconds for 100 000 locations: Python (PYTHON=...) with `pip install numpy scipy toppra copp-py`
+# Needs Python (PYTHON=...) with `pip install numpy scipy toppra copp-py`.
+# The feed beside toppra and copp, and seconds for 100 000 locations
 bench-feed locations="2000":
     BLADEWRIGHT_PEERS="${PYTHON:-python3} tests/motion/peers.py" cargo bench --bench feed -- --locations={{locations}}
 
@@ -86,7 +95,8 @@ bench-feed locations="2000":
 bench:
     cargo bench --bench closest
 
-# report.html and preview.glb of every example and a family's page in headless Chromium, and Khronos' validator: Node 20, chromium
+# Needs Node 20 and chromium.
+# Reports, previews and a family's page in headless Chromium and Khronos' validator
 look:
     bash viewer/test/run.sh
 
@@ -120,25 +130,30 @@ plan:
 kill runs="100":
     BLADEWRIGHT_RUNS={{runs}} cargo nextest run --release --run-ignored only --no-capture -E 'test(/^batch_kill::/)'
 
-# A family as an array job on a real Slurm on this machine: needs root and `apt-get install slurmctld slurmd slurm-client munge`
+# Needs root and `apt-get install slurmctld slurmd slurm-client munge`.
+# A family as an array job on a real Slurm on this machine
 slurm:
     cargo build --release
     bash tests/slurm/run.sh target/release/bladewright
 
-# The Kubernetes Jobs' schemas and commands, without a cluster: Python (PYTHON=...) with `pip install kubernetes-validate pyyaml`
+# Needs Python (PYTHON=...) with `pip install kubernetes-validate pyyaml`.
+# The Kubernetes Jobs' schemas and commands, without a cluster
 kubernetes:
     cargo build --release
     bash tests/kubernetes/run.sh target/release/bladewright
 
-# A family on S3-compatible storage on this machine: Python (PYTHON=...) with `pip install "moto[server]" boto3`
+# Needs Python (PYTHON=...) with `pip install "moto[server]" boto3`.
+# A family on S3-compatible storage on this machine
 s3:
     cargo build --release --features s3
     bash tests/s3/run.sh target/release/bladewright
 
-# Every command that README and manual print, run as printed; BLADEWRIGHT_SHORT=1 mills ridges three times as high, as CI does
+# BLADEWRIGHT_SHORT=1 mills ridges three times as high, as CI does.
+# Every command that README and manual print, run as printed
 manual:
     cargo nextest run --release --run-ignored only -E 'test(/^manual::/)'
 
-# Examples and, where BLADEWRIGHT_BLADES names their folder, published blades planned by two builds: the same bytes
+# Published blades are planned too where BLADEWRIGHT_BLADES names their folder.
+# Examples planned by two builds: the same bytes
 same old new:
     bash tests/same/run.sh {{old}} {{new}}

@@ -2,14 +2,18 @@
 //!
 //! [`section!`] makes two types of one declaration. The *keys* are the section as typed: all
 //! optional, described in the schema, left out again when written. The *settings* are the section
-//! as the room reads it, complete. A key's first line of text is what the schema says; the lines
-//! after it give the reason of the default.
+//! as the room reads it, complete. A key's first paragraph is what the schema says ([`schema`]);
+//! the paragraph after it gives the reason of the default.
 //!
 //! A default that depends on blade or tool is declared with the value that holds where nothing is
 //! known of them; [`crate::job`] puts its own in place of it.
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
+
+use schemars::Schema;
+use schemars::transform::{RecursiveTransform, Transform};
+use serde_json::Value;
 
 mod reader;
 
@@ -28,8 +32,7 @@ macro_rules! section {
         $(#[derive($derive:ident)])?
         $table:literal $settings:ident, $keys:ident, $s:ident {
             $(
-                #[doc = $said:literal]
-                $(#[doc = $why:literal])*
+                $(#[doc = $said:literal])+
                 $(#[serde($($serde:tt)*)])?
                 $key:ident: $type:ty $(as $read:ty)? = $default:expr $(, $range:expr)?;
             )*
@@ -40,8 +43,7 @@ macro_rules! section {
         #[serde(deny_unknown_fields, default)]
         pub struct $settings {
             $(
-                #[doc = $said]
-                $(#[doc = $why])*
+                $(#[doc = $said])+
                 $(#[serde($($serde)*)])?
                 pub $key: $crate::settings::read_as!($type $(, $read)?),
             )*
@@ -77,7 +79,7 @@ macro_rules! section {
         #[serde(deny_unknown_fields)]
         pub struct $keys {
             $(
-                #[doc = $said]
+                $(#[doc = $said])+
                 #[serde(skip_serializing_if = "Option::is_none")]
                 pub $key: Option<$type>,
             )*
@@ -85,6 +87,18 @@ macro_rules! section {
     };
 }
 pub(crate) use section;
+
+/// JSON schema of a type. A description is the first paragraph of its comment, on one line.
+pub(crate) fn schema<T: schemars::JsonSchema>() -> Schema {
+    let mut schema = schemars::schema_for!(T);
+    let mut first_paragraphs = RecursiveTransform(|schema: &mut Schema| {
+        if let Some(Value::String(text)) = schema.get_mut("description") {
+            *text = text.split("\n\n").next().unwrap_or_default().replace('\n', " ");
+        }
+    });
+    first_paragraphs.transform(&mut schema);
+    schema
+}
 
 /// Lets options be written with some of their settings changed.
 macro_rules! with_settings {

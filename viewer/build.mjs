@@ -1,5 +1,6 @@
-// Builds what is in dist from src and from the packages that package-lock.json pins: a script for the report, one for the page of a family, and the
-// style that both have. `node build.mjs` writes them; `node build.mjs --check` compares with what is there and fails where it differs.
+// Builds what is in dist from src and from the packages that package-lock.json pins: a script for
+// the report, one for the page of a family, and the style that both have. `node build.mjs` writes
+// them; `node build.mjs --check` compares with what is there and fails where it differs.
 import { build } from 'esbuild';
 import { readFile, writeFile } from 'node:fs/promises';
 

@@ -70,7 +70,8 @@ pub struct Diagnosis {
     pub first_nonmanifold_edge: Option<[f64; 3]>,
     /// Edges whose two triangles wind against one another.
     pub inconsistent_edges: usize,
-    /// This is the mirror image of what the file holds, across z = 0 of the blade frame, made to plan in.
+    /// This is the mirror image of what the file holds, across z = 0 of the blade frame, made to
+    /// plan in.
     #[serde(skip)]
     pub mirrored: bool,
     /// What speaks against the blade axis that was given.

@@ -10,12 +10,13 @@ pub enum Control {
     Siemens,
     /// Siemens 840D: `TRAORI`, the tool axis as the vector `A3 B3 C3`, `program.vector.mpf`.
     SiemensVector,
-    /// Siemens 840D: `TRAORI`, tool tip and rotary axes as polynomials (`POLY`), `program.poly.mpf`.
+    /// Siemens 840D: `TRAORI`, tool tip and rotary axes as polynomials (`POLY`),
+    /// `program.poly.mpf`.
     SiemensPoly,
     /// Heidenhain TNC: `TCPM`, rotary axes as positions, `program.h`.
     Heidenhain,
-    /// Heidenhain TNC: `TCPM`, ball centre and rotary axes as splines of degree 3 (`SPL`, an option of
-    /// the iTNC 530), `program.spl.h`.
+    /// Heidenhain TNC: `TCPM`, ball centre and rotary axes as splines of degree 3 (`SPL`, an option
+    /// of the iTNC 530), `program.spl.h`.
     HeidenhainSpl,
     /// Heidenhain TNC: `TCPM`, `LN` blocks with the tool axis as a vector, `program.vector.h`.
     HeidenhainVector,
@@ -27,7 +28,8 @@ pub enum Control {
     Linuxcnc,
     /// LinuxCNC with trivial kinematics, feed per minute, `program.feed.ngc`.
     LinuxcncFeed,
-    /// Any control without tool-centre-point control: positions of the machine's axes, `program.iso.nc`.
+    /// Any control without tool-centre-point control: positions of the machine's axes,
+    /// `program.iso.nc`.
     Iso,
     /// APT cutter-location file, `program.apt`.
     Apt,
@@ -161,7 +163,8 @@ pub struct WordRange {
 /// Words and what a control reads in them, by address.
 pub type Ranges = std::collections::BTreeMap<String, WordRange>;
 
-/// Where the time of an operation goes, s. Tool changes, and the way from wherever the machine stood, are in none: no file says how long they take.
+/// Where the time of an operation goes, s. Tool changes, and the way from wherever the machine
+/// stood, are in none: no file says how long they take.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct CycleTime {
     /// From the end of travel over the part down to where the lead-in begins.
@@ -206,6 +209,7 @@ pub struct Program {
     pub text: String,
     /// Where the tool is as its lines move it, operation by operation in the order of time.
     pub cut_lines: Vec<CutLine>,
-    /// What its operations were written with, in their order; whatever the text may have become since.
+    /// What its operations were written with, in their order; whatever the text may have become
+    /// since.
     pub asked: Vec<Asked>,
 }

@@ -56,7 +56,8 @@ pub enum Scope {
     /// The whole path at once: nothing has a lesser greatest value.
     #[default]
     Whole,
-    /// Turn by turn, each with the next in view and its end free: no turn waits for turns farther on.
+    /// Turn by turn, each with the next in view and its end free: no turn waits for turns farther
+    /// on.
     Turns,
 }
 
@@ -64,7 +65,8 @@ pub enum Scope {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BaseAngle {
-    /// Of several between the channel's limits, the one that the weakest rotary axis can follow; the same share of the width at all turns.
+    /// Of several between the channel's limits, the one that the weakest rotary axis can follow;
+    /// the same share of the width at all turns.
     #[default]
     Best,
     /// The forward limit, as published.
@@ -75,22 +77,27 @@ pub enum BaseAngle {
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]
 pub struct Quality {
-    /// Greatest distance by which the curve itself leaves the channel between straight walls, rad; 0: nowhere.
+    /// Greatest distance by which the curve itself leaves the channel between straight walls, rad;
+    /// 0: nowhere.
     pub outside_rad: f64,
     /// Greatest |d³θ/ds³|, rad/mm³; absent where the second derivative jumps.
     pub peak_third: Option<f64>,
     /// Whether the second derivative is continuous everywhere.
     pub curvature_continuous: bool,
-    /// No curve that never turns back and stays in the channel has a lesser greatest |θ''|, rad/mm².
+    /// No curve that never turns back and stays in the channel has a lesser greatest |θ''|,
+    /// rad/mm².
     pub bound_second: Option<f64>,
-    /// What an `optimal` schedule was made for, its value, and a value that no other curve falls below; rad, mm.
+    /// What an `optimal` schedule was made for, its value, and a value that no other curve falls
+    /// below; rad, mm.
     pub measure: Option<(Measure, f64, f64)>,
 }
 
-/// A curve that is farther than this from the angle at a location is not the one that the tool follows there, rad.
+/// A curve that is farther than this from the angle at a location is not the one that the tool
+/// follows there, rad.
 const SAME_RAD: f64 = 1e-7;
 
-/// A cubic Bézier piece in the (s, θ) plane; `s` is arc length from the start of the whole path, mm; θ in rad.
+/// A cubic Bézier piece in the (s, θ) plane; `s` is arc length from the start of the whole path,
+/// mm; θ in rad.
 pub type BezierPiece = [[f64; 2]; 4];
 
 /// The schedule.
@@ -101,7 +108,8 @@ pub struct Schedule {
     /// θ at each cutter location, rad, unwrapped over the whole path.
     #[serde(with = "packed")]
     pub theta: Vec<f64>,
-    /// The curve itself, pieces in order, covering the whole path. A piece whose four `s` are evenly spaced is a cubic in `s`.
+    /// The curve itself, pieces in order, covering the whole path. A piece whose four `s` are
+    /// evenly spaced is a cubic in `s`.
     pub pieces: Vec<BezierPiece>,
     /// Key points of the linear schedule before smoothing (s in mm, θ in rad).
     pub key_points: Vec<[f64; 2]>,
@@ -135,7 +143,8 @@ impl Schedule {
         }
     }
 
-    /// θ of the curve at arc length `s_mm` from the start of the whole path, rad; `None` where it has no piece.
+    /// θ of the curve at arc length `s_mm` from the start of the whole path, rad; `None` where it
+    /// has no piece.
     pub fn curve_at(&self, s_mm: f64) -> Option<f64> {
         let k = self.pieces.partition_point(|p| p[3][0] < s_mm);
         // The end of the path may be rounded beyond that of the last piece.

@@ -13,10 +13,11 @@ pub const CHORD_MM: f64 = 0.001;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PathKind {
-    /// Every turn falls by the same height all the way round, as much as the scallop allows at its worst place (planar
-    /// turns).
+    /// Every turn falls by the same height all the way round, as much as the scallop allows at its
+    /// worst place (planar turns).
     ConstantHeight,
-    /// Equal parts, at each place round the blade, of the way along the surface from the start of the region to its end.
+    /// Equal parts, at each place round the blade, of the way along the surface from the start of
+    /// the region to its end.
     IsoParametric,
     /// Every turn is the constant-scallop neighbour of the turn before it at every point.
     #[default]
@@ -37,8 +38,9 @@ impl PathKind {
     }
 }
 
-/// On which side of the cutter the material is, with a spindle that turns clockwise seen from above (M3). The helix runs
-/// counter-clockwise seen from the tip in either case, so this is also its hand.
+/// On which side of the cutter the material is, with a spindle that turns clockwise seen from above
+/// (M3). The helix runs counter-clockwise seen from the tip in either case, so this is also its
+/// hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Direction {
@@ -77,7 +79,8 @@ pub struct CutterLocation {
     pub normal: Vector,
 }
 
-/// A turn: locations `first .. first + count`; its last location is the next turn's base point less one step.
+/// A turn: locations `first .. first + count`; its last location is the next turn's base point less
+/// one step.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Turn {
     /// Index of the base point's location.
@@ -88,15 +91,17 @@ pub struct Turn {
     pub length_mm: f64,
 }
 
-/// The helix. Locations run so that the angle about the blade axis increases (counter-clockwise seen from the tip).
+/// The helix. Locations run so that the angle about the blade axis increases (counter-clockwise
+/// seen from the tip).
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Toolpath {
     /// How the turns lie.
     pub kind: PathKind,
     /// Radius of the ball, or of the corner of a cutter that is none, mm.
     pub radius_mm: f64,
-    /// Radius of the disc that the corner rolls over, mm: locations have its centre for that of a ball.
-    /// Arc lengths are those of the corner's centre, which touches where a ball of its radius would.
+    /// Radius of the disc that the corner rolls over, mm: locations have its centre for that of a
+    /// ball. Arc lengths are those of the corner's centre, which touches where a ball of its radius
+    /// would.
     #[serde(default, skip_serializing_if = "is_none")]
     pub disc_radius_mm: f64,
     /// Stock left on the part for a later pass, mm; contacts lie on its surface.
@@ -109,8 +114,8 @@ pub struct Toolpath {
     pub region_x_mm: [f64; 2],
     /// Why the path ends where it ends.
     pub end_reason: EndReason,
-    /// Scallop that the planner foresees between neighbouring turns, mm: the greatest on exact faces, the 99th percentile
-    /// on a mesh, and of a cutter with a corner.
+    /// Scallop that the planner foresees between neighbouring turns, mm: the greatest on exact
+    /// faces, the 99th percentile on a mesh, and of a cutter with a corner.
     pub planned_scallop_mm: f64,
     /// The tool axes that each location allows.
     pub cones: Cones,

@@ -12,9 +12,10 @@ use crate::job::JobFile;
 use crate::run::inputs;
 use crate::settings::{from_toml, from_value};
 
-/// The family file. Exactly one of `models`, `table` and `design` says what the members are, or none, where the template names the
-/// model; `ranges` multiply them. A parameter is a key of the job (`tool.radius_mm`), of the generator's design
-/// (`design.fillet_radius_mm`, entries of lists by number) or a variation of the design (`vary.twist_deg`).
+/// The family file. Exactly one of `models`, `table` and `design` says what the members are, or
+/// none, where the template names the model; `ranges` multiply them. A parameter is a key of the
+/// job (`tool.radius_mm`), of the generator's design (`design.fillet_radius_mm`, entries of lists
+/// by number) or a variation of the design (`vary.twist_deg`).
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FamilyFile {
@@ -24,14 +25,16 @@ pub struct FamilyFile {
     /// Keys of the template job, over those of `job`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub template: Option<JobFile>,
-    /// Models by patterns (`*`, `?`, `[…]`, `**`), relative to the family file; a member is called as its file.
+    /// Models by patterns (`*`, `?`, `[…]`, `**`), relative to the family file; a member is called
+    /// as its file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub models: Option<Patterns>,
-    /// Members by rows of a CSV file: a column `name`, perhaps a column `model` (relative to the table), and parameters; an empty
-    /// cell leaves its parameter as it is.
+    /// Members by rows of a CSV file: a column `name`, perhaps a column `model` (relative to the
+    /// table), and parameters; an empty cell leaves its parameter as it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub table: Option<String>,
-    /// The generator's design: a preset's name or a design file, relative to the family file. With `table`, all rows vary it.
+    /// The generator's design: a preset's name or a design file, relative to the family file. With
+    /// `table`, all rows vary it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub design: Option<String>,
     /// Values of parameters that every member takes in turn.
@@ -76,7 +79,8 @@ pub enum Combine {
     List,
 }
 
-/// Values of one parameter: a list, or `{ from = 1.0, to = 2.0, count = 5 }`, evenly from one end to the other, both taken.
+/// Values of one parameter: a list, or `{ from = 1.0, to = 2.0, count = 5 }`, evenly from one end
+/// to the other, both taken.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "toml::Value", into = "toml::Value")]
 #[schemars(with = "RangeSchema")]
@@ -153,13 +157,14 @@ pub struct Override {
 
 /// JSON schema of the family file.
 pub fn schema() -> schemars::Schema {
-    schemars::schema_for!(FamilyFile)
+    crate::settings::schema::<FamilyFile>()
 }
 
 /// Reads a family file.
 ///
 /// # Errors
-/// `InputOutput` where it cannot be read; `Usage` with file, line and key where it is no family file.
+/// `InputOutput` where it cannot be read; `Usage` with file, line and key where it is no family
+/// file.
 pub fn load(path: &Path) -> Result<FamilyFile> {
     let short = "a family file is a short TOML text; name models and tables in it";
     parse(&inputs::text_of(path, Stage::Batch, "family file", short)?, &path.display().to_string())

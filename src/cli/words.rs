@@ -13,13 +13,11 @@ where
 }
 
 fn listed<T: JsonSchema>() -> Vec<PossibleValue> {
-    let schema = schemars::schema_for!(T);
+    let schema = crate::settings::schema::<T>();
     let variants = schema.get("oneOf").and_then(serde_json::Value::as_array);
     let listed = variants.into_iter().flatten().filter_map(|variant| {
-        let about = variant.get("description")?.as_str()?.replace('\n', " ");
-        Some(
-            PossibleValue::new(variant.get("const")?.as_str()?.to_owned()).help(about.trim_end_matches('.').to_owned()),
-        )
+        let about = variant.get("description")?.as_str()?.trim_end_matches('.').to_owned();
+        Some(PossibleValue::new(variant.get("const")?.as_str()?.to_owned()).help(about))
     });
     listed.collect()
 }

@@ -34,5 +34,5 @@ pub use typed::JobFile;
 
 /// JSON schema of the job file.
 pub fn schema() -> schemars::Schema {
-    schemars::schema_for!(JobFile)
+    crate::settings::schema::<JobFile>()
 }

@@ -16,28 +16,36 @@ section! {
     /// `[model]`
     "model" ModelSettings, ModelKeys, s {
         /// The CAD file; relative to the job file.
-        /// Absolute once the model is to be read, so that the saved job runs from anywhere. There is
-        /// no default.
+        ///
+        /// Absolute once the model is to be read, so that the saved job runs from anywhere. There
+        /// is no default.
         file: String as PathBuf = PathBuf::new();
         /// Length unit of the file; default: what the file declares, else found from its size.
+        ///
         /// Filled in once the file is read.
         #[serde(skip_serializing_if = "Option::is_none")]
         unit: Unit as Option<Unit> = None;
         /// Direction of the blade axis, root to tip, in the model frame; default: found.
         axis: AxisChoice = AxisChoice::Auto;
-        /// Greatest distance between a NURBS part and its triangles, mm; at least two millionths of its size.
+        /// Greatest distance between a NURBS part and its triangles, mm; at least two millionths of
+        /// its size.
+        ///
         /// Triangles only guide the search, distances are then taken to the NURBS themselves, so
         /// finer triangles cost time and gain nothing.
         deflection_mm: f64 = ModelOptions::default().deflection_mm, TINY..=10.0;
-        /// Vertices of a mesh this near to one another are the same, mm; default: found where the mesh has faults.
+        /// Vertices of a mesh this near to one another are the same, mm; default: found where the
+        /// mesh has faults.
+        ///
         /// Then it is the least of 1e-7, 1e-6 and 1e-5 of its size that leaves fewest.
         #[serde(skip_serializing_if = "Option::is_none")]
         weld_mm: f64 as Option<f64> = None, TINY..=10.0;
         /// Holes of a mesh up to this extent are closed, mm; default: none.
+        ///
         /// A hole may be meant.
         #[serde(skip_serializing_if = "Option::is_none")]
         close_holes_mm: f64 as Option<f64> = None, TINY..=1e6;
-        /// The body to plan, by its number as `inspect` prints it; default: the blade is looked for on all of the part.
+        /// The body to plan, by its number as `inspect` prints it; default: the blade is looked for
+        /// on all of the part.
         #[serde(skip_serializing_if = "Option::is_none")]
         body: u32 as Option<u32> = None;
         /// Heights between which the airfoil lies, mm along the blade axis; default: found.
@@ -56,10 +64,11 @@ section! {
 }
 
 section! {
-    /// `[[fixture]]` and `[stock]`: a closed body in the frame of the model's file. Of the stock only the holder keeps clear: the
-    /// cutter cuts it.
+    /// `[[fixture]]` and `[stock]`: a closed body in the frame of the model's file. Of the stock
+    /// only the holder keeps clear: the cutter cuts it.
     "fixture" FixtureSettings, FixtureKeys, s {
         /// The file, in any format of a model; relative to the job file.
+        ///
         /// Absolute once the job is complete. There is no default.
         file: String as PathBuf = PathBuf::new();
         /// Length unit of the file; default: what the file states, else mm.
@@ -67,24 +76,26 @@ section! {
         unit: Unit as Option<Unit> = None;
         /// Room that taper and shank keep from it, mm; default: that of `channel`.
         clearance_mm: f64 = CLEARANCE_MM, 0.0..=100.0;
-        /// Room that the holder keeps from it, mm; default: that of `channel`, or `clearance_mm` where that is given.
+        /// Room that the holder keeps from it, mm; default: that of `channel`, or `clearance_mm`
+        /// where that is given.
         holder_clearance_mm: f64 = HOLDER_CLEARANCE_MM, 0.0..=100.0;
     }
 }
 
 section! {
-    /// `[wheel]`: the wheel that the blade belongs to. Its other blades and its hub are in the tool's way. A model of a whole wheel needs no
-    /// section.
+    /// `[wheel]`: the wheel that the blade belongs to. Its other blades and its hub are in the
+    /// tool's way. A model of a whole wheel needs no section.
     "wheel" WheelSettings, WheelKeys, s {
-        /// Number of blades, evenly spaced about the rotor axis; default: that of the model where it is a wheel or one sector, else there is
-        /// none.
+        /// Number of blades, evenly spaced about the rotor axis; default: that of the model where
+        /// it is a wheel or one sector, else there is none.
         blades: u32 = 0, 2.0..=1000.0;
         /// Direction of the rotor axis in the frame of the model; default: as for `blades`.
         axis: [f64; 3] = [0.0; 3];
-        /// A point on the rotor axis in the frame of the model, mm; default: that of the model's wheel, else the origin.
+        /// A point on the rotor axis in the frame of the model, mm; default: that of the model's
+        /// wheel, else the origin.
         origin_mm: [f64; 3] = [0.0; 3];
-        /// Contour of the hub: places along the rotor axis from `origin_mm`, rising, and the hub's radius there, mm; default: none but what the
-        /// model has.
+        /// Contour of the hub: places along the rotor axis from `origin_mm`, rising, and the hub's
+        /// radius there, mm; default: none but what the model has.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         hub_mm: Vec<[f64; 2]> = Vec::new();
     }
@@ -128,7 +139,8 @@ impl WheelSettings {
     }
 }
 
-/// `[region]`: heights of the ball centre along the blade axis. The helix runs from `start_mm` down to `end_mm`.
+/// `[region]`: heights of the ball centre along the blade axis. The helix runs from `start_mm` down
+/// to `end_mm`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RegionKeys {
@@ -138,7 +150,8 @@ pub struct RegionKeys {
     /// Height of the last ball centre, mm; less than `start_mm`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_mm: Option<f64>,
-    /// Faces or groups, by number or name: the helix ends where the ball comes to one of them. For turns of constant scallop.
+    /// Faces or groups, by number or name: the helix ends where the ball comes to one of them. For
+    /// turns of constant scallop.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_faces: Option<Vec<String>>,
     /// What both heights are measured from.
@@ -186,10 +199,12 @@ impl std::fmt::Display for LibraryEntry {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolKeys {
-    /// A tool library: JSON of Fusion, or a tool table of LinuxCNC; relative to the job file. Keys beside it go before what it says.
+    /// A tool library: JSON of Fusion, or a tool table of LinuxCNC; relative to the job file. Keys
+    /// beside it go before what it says.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub library: Option<String>,
-    /// Number or name of the tool in the library; may be left out where it has one ball-end cutter only.
+    /// Number or name of the tool in the library; may be left out where it has one ball-end cutter
+    /// only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub entry: Option<LibraryEntry>,
     /// Length unit of a library that states none (LinuxCNC); default: mm.
@@ -198,7 +213,9 @@ pub struct ToolKeys {
     /// Ball radius, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radius_mm: Option<f64>,
-    /// Radius of the corner of a bull-nose or flat cutter, mm; left out, or equal to radius_mm: a ball. Such a cutter leans forwards by channel.contact_angle_min_deg to contact_angle_max_deg.
+    /// Radius of the corner of a bull-nose or flat cutter, mm; left out, or equal to radius_mm: a
+    /// ball. Such a cutter leans forwards by channel.contact_angle_min_deg to
+    /// contact_angle_max_deg.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner_radius_mm: Option<f64>,
     /// Half angle of the cone behind the ball, degrees.

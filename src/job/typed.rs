@@ -16,7 +16,8 @@ use crate::tool::CutKeys;
 use crate::verify::VerifyKeys;
 use crate::write::post::PostKeys;
 
-/// The job file. A key that is left out takes its default (see [`super::Job`]); a section that is left out, all of its.
+/// The job file. A key that is left out takes its default (see [`super::Job`]); a section that is
+/// left out, all of its.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JobFile {
@@ -29,7 +30,8 @@ pub struct JobFile {
     /// The tool.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tool: Option<ToolKeys>,
-    /// The second of two tools on one blade, for `pinch`; keys that are left out are those of `[tool]`.
+    /// The second of two tools on one blade, for `pinch`; keys that are left out are those of
+    /// `[tool]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tool_2: Option<ToolKeys>,
     /// What else is in the tool's way; entries of a list.

@@ -15,7 +15,8 @@ pub const DEMO_TOML: &str = include_str!("../../models/machines/demo_table_head.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PositiveA {
-    /// The tool goes round the workpiece by the right-hand rule about +X; the table turns the other way (ISO 841).
+    /// The tool goes round the workpiece by the right-hand rule about +X; the table turns the other
+    /// way (ISO 841).
     Tool,
     /// The table turns the workpiece by the right-hand rule about +X.
     Workpiece,
@@ -41,8 +42,9 @@ pub struct Mount {
     /// Angle by which the blade is turned about its own x first, right-hand rule, degrees.
     #[serde(default)]
     pub clamping_deg: f64,
-    /// Direction of the blade axis, root to tip, in machine coordinates, for machines with a `chain`; default: X. The blade is brought there from
-    /// X by the shortest turn (straight back: by half a turn about Z).
+    /// Direction of the blade axis, root to tip, in machine coordinates, for machines with a
+    /// `chain`; default: X. The blade is brought there from X by the shortest turn (straight back:
+    /// by half a turn about Z).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub along: Option<[f64; 3]>,
 }
@@ -102,7 +104,8 @@ pub struct Table {
 pub struct HeadTable {
     /// From the pivot to the spindle's gauge line, mm.
     pub pivot_length_mm: f64,
-    /// How far the spindle's axis passes the pivot by, along X of the machine while B = 0, mm; 0: they meet.
+    /// How far the spindle's axis passes the pivot by, along X of the machine while B = 0, mm; 0:
+    /// they meet.
     #[serde(default)]
     pub spindle_offset_mm: f64,
     /// Sense of `B`.
@@ -144,7 +147,8 @@ pub struct LinearAxis {
     pub jerk_mm_s3: f64,
     /// Where the last three come from.
     pub limits: Provenance,
-    /// Its direction in machine coordinates, for machines with a `chain`; default: that of its name. Positive is the tool moving that way over the workpiece.
+    /// Its direction in machine coordinates, for machines with a `chain`; default: that of its
+    /// name. Positive is the tool moving that way over the workpiece.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direction: Option<[f64; 3]>,
     /// What its words in programs count; positions and limits of this file are never diameters.
@@ -170,11 +174,13 @@ pub struct RotaryAxis {
     pub jerk_deg_s3: f64,
     /// Where the last three come from.
     pub limits: Provenance,
-    /// Its direction in machine coordinates while all axes read 0, for machines with a `chain`; default: that of its name. Positive is the
-    /// tool going round the workpiece by the right-hand rule (ISO 841); the other way round for an axis that counts the workpiece's own turn.
+    /// Its direction in machine coordinates while all axes read 0, for machines with a `chain`;
+    /// default: that of its name. Positive is the tool going round the workpiece by the right-hand
+    /// rule (ISO 841); the other way round for an axis that counts the workpiece's own turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direction: Option<[f64; 3]>,
-    /// A point on it in machine coordinates while all axes read 0, for machines with a `chain`, mm; default: the origin.
+    /// A point on it in machine coordinates while all axes read 0, for machines with a `chain`, mm;
+    /// default: the origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub point_mm: Option<[f64; 3]>,
 }
@@ -183,7 +189,8 @@ pub struct RotaryAxis {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Axes")]
 pub struct AxisTables {
-    /// Along the blade. A machine with a `chain` may be without one of X, Y, Z: the chain does not name it, and the tool stands at 0 of it.
+    /// Along the blade. A machine with a `chain` may be without one of X, Y, Z: the chain does not
+    /// name it, and the tool stands at 0 of it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub x: Option<LinearAxis>,
     /// Across.
@@ -216,15 +223,15 @@ pub struct AxisTables {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SecondHead {
-    /// All axes from the workpiece to its tool: first those that it shares with the first chain, in the same order, then U, V, W and perhaps a
-    /// rotary one of its own.
+    /// All axes from the workpiece to its tool: first those that it shares with the first chain, in
+    /// the same order, then U, V, W and perhaps a rotary one of its own.
     pub chain: Vec<AxisName>,
     /// Its spindle.
     pub spindle: Spindle,
 }
 
-/// A machine file: a `chain` of axes, or in its place a rotary table about X and a pivoting head (`table`, `head`). [`MachineFile::build`] makes the
-/// machine of it.
+/// A machine file: a `chain` of axes, or in its place a rotary table about X and a pivoting head
+/// (`table`, `head`). [`MachineFile::build`] makes the machine of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MachineFile {
@@ -243,11 +250,12 @@ pub struct MachineFile {
     /// The pivoting head, on a machine without a `chain`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub head: Option<HeadTable>,
-    /// All axes from the workpiece to the tool: X, Y, Z (or two of them, on a lathe without Y) and one or two rotary axes. Left out: a table about X
-    /// and a pivoting head.
+    /// All axes from the workpiece to the tool: X, Y, Z (or two of them, on a lathe without Y) and
+    /// one or two rotary axes. Left out: a table about X and a pivoting head.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub chain: Vec<AxisName>,
-    /// The spindle of a machine with a `chain`; default: gauge point at the origin, tool axis along Z.
+    /// The spindle of a machine with a `chain`; default: gauge point at the origin, tool axis along
+    /// Z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spindle: Option<Spindle>,
     /// A second head, on a machine with a `chain`.

@@ -12,7 +12,8 @@ pub enum OrientationKind {
     /// The cone about the blade axis with lean `machine.b_deg`: four axes, for roots.
     #[default]
     Cone,
-    /// The plane through the blade's radial direction and the surface normal, a new one at each location (Chen, Xu and Tang 2015).
+    /// The plane through the blade's radial direction and the surface normal, a new one at each
+    /// location (Chen, Xu and Tang 2015).
     ReferencePlane,
     /// Any: a smooth field of axes in the middle of what is free among the blades of the wheel.
     FiveAxis,
@@ -32,6 +33,7 @@ section! {
         /// Which tool axes the schedule may choose from at each location.
         kind: OrientationKind = OrientationKind::Cone;
         /// Angle between the directions that kind `five-axis` tries at a place, degrees.
+        ///
         /// The free axes of a wheel are some tens of degrees wide: a tenth of that finds the ways
         /// through. Where it finds none, half of it is tried, and so on down to 1°. What is tried
         /// only guides the search, the channel is proven afterwards.

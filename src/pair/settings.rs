@@ -6,29 +6,35 @@ use crate::tool::CLEARANCE_MM;
 section! {
     /// `[pinch]`: two tools that hold the blade between them, on both sides at the same time.
     "pinch" PinchSettings, PinchKeys, s {
-        /// Heights of the first tool's ball centre between which rows run, mm along the blade axis; default: all of the airfoil.
+        /// Heights of the first tool's ball centre between which rows run, mm along the blade axis;
+        /// default: all of the airfoil.
         #[serde(skip_serializing_if = "Option::is_none")]
         heights_mm: [f64; 2] as Option<[f64; 2]> = None;
         /// What the normals at both contacts may lack of being opposite, degrees.
+        ///
         /// Equal forces then leave at most two thirds of one of them, along the blade's stiff
         /// direction.
         max_angle_deg: f64 = 40.0, TINY..=89.0;
         /// Greatest distance of the two normal lines, mm: the 99th percentile is checked.
+        ///
         /// On thin blades 0.5 mm of it add 2 % to what they bend.
         line_distance_mm: f64 = 0.2, TINY..=100.0;
-        /// The angle about the blade axis by which the second head stands on from the first, degrees; default: that of a machine with two heads, else 180.
+        /// The angle about the blade axis by which the second head stands on from the first,
+        /// degrees; default: that of a machine with two heads, else 180.
         #[serde(skip_serializing_if = "Option::is_none")]
         between_deg: f64 as Option<f64> = None, -360.0..=360.0;
         /// Lean of the second head, degrees; default: that of the first, `machine.b_deg`.
         #[serde(skip_serializing_if = "Option::is_none")]
         b_2_deg: f64 as Option<f64> = None, -85.0..=85.0;
         /// Channels of the control that programs are for: 1, or 2 that meet at wait marks.
+        ///
         /// In one channel all axes have one clock.
         channels: u32 = 1, 1.0..=2.0;
         /// Speed of the second spindle, 1/min; default: that of the first, `post.spindle_rpm`.
         #[serde(skip_serializing_if = "Option::is_none")]
         spindle_2_rpm: f64 as Option<f64> = None, 1.0..=1e6;
         /// Room that the two tools keep from each other, mm.
+        ///
         /// The blade is between them: where it is thin they are as near.
         tools_apart_mm: f64 = CLEARANCE_MM, 0.0..=100.0;
     }

@@ -21,6 +21,7 @@ section! {
         /// Teeth of the cutter. There is no default.
         teeth: u32 = 0, 1.0..=100.0;
         /// Least and greatest feed per tooth, mm.
+        ///
         /// It is the speed of the contact over the part by teeth and spindle speed.
         #[serde(skip_serializing_if = "Option::is_none")]
         fz_mm: [f64; 2] as Option<[f64; 2]> = None;

@@ -48,7 +48,8 @@ pub struct HolderStage {
 pub struct Tool {
     /// Radius of the cutter, mm: a ball's own.
     pub radius_mm: f64,
-    /// Radius of the corner of a bull-nose or flat cutter, mm, less than `radius_mm`; `None`: a ball.
+    /// Radius of the corner of a bull-nose or flat cutter, mm, less than `radius_mm`; `None`: a
+    /// ball.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub corner_radius_mm: Option<f64>,
     /// Half angle of the cone behind the ball or corner, degrees; 0: cylinder.
@@ -77,8 +78,8 @@ pub struct Segment {
     pub r1: f64,
 }
 
-/// Where along a unit direction a tool ends, mm: of ball and frusta the lowest place. `centre`: of the
-/// ball, `radius_mm` its radius, `axis` the tool axis from tip to spindle.
+/// Where along a unit direction a tool ends, mm: of ball and frusta the lowest place. `centre`: of
+/// the ball, `radius_mm` its radius, `axis` the tool axis from tip to spindle.
 pub fn lowest_mm(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Vector, along: &Vector) -> f64 {
     let (at, rise) = (centre.coords.dot(along), axis.dot(along));
     // How far a circle about the axis of radius 1 comes down.
@@ -88,8 +89,8 @@ pub fn lowest_mm(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Ve
 }
 
 impl Tool {
-    /// Reads the text of a tool file: TOML with the keys of this type, or with a table `[tool]` of them, so that a resolved job
-    /// will do; `origin` names it in messages.
+    /// Reads the text of a tool file: TOML with the keys of this type, or with a table `[tool]` of
+    /// them, so that a resolved job will do; `origin` names it in messages.
     ///
     /// # Errors
     /// Kind `Usage`: not TOML, an unknown or missing key, or a value out of its range.
@@ -171,7 +172,8 @@ impl Tool {
         self.disc_radius_mm() == 0.0
     }
 
-    /// Radius of the corner, a ball's own, mm: how far the tip lies below the centre of ball or disc.
+    /// Radius of the corner, a ball's own, mm: how far the tip lies below the centre of ball or
+    /// disc.
     pub fn corner_mm(&self) -> f64 {
         self.corner_radius_mm.unwrap_or(self.radius_mm)
     }

@@ -19,8 +19,8 @@ export const css = ([r, g, b]) => `rgb(${[r, g, b].map(v => Math.round(255 * v))
 export const shareOf = (v, [lo, hi]) => (hi - lo > 1e-9 * Math.max(Math.abs(lo), Math.abs(hi)) ? Math.min(1, Math.max(0, (v - lo) / (hi - lo))) : v === v ? 0.5 : NaN);
 
 /**
- * A legend: the scale with the values at its ends and in its middle. `range`: least and greatest value; `shown`: what the colours span, where
- * a few values beyond it have the colours of its ends.
+ * A legend: the scale with the values at its ends and in its middle. `range`: least and greatest
+ * value; `shown`: what the colours span, where a few values beyond it have the colours of its ends.
  */
 export const legend = (name, unit, range, shown, missing) => {
   const mid = (shown[0] + shown[1]) / 2;

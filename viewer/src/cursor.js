@@ -4,7 +4,10 @@ let at = 0;
 
 export const cursor = {
   get s() { return at; },
-  /** Moves it; `from` names who did, so that it need not follow itself. `settle` is true for clicks and false for hovering. */
+  /**
+   * Moves it; `from` names who did, so that it need not follow itself. `settle` is true for clicks
+   * and false for hovering.
+   */
   set(s, from, settle = false) {
     if (!Number.isFinite(s)) return;
     at = s;

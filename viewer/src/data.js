@@ -1,4 +1,5 @@
-// The page's data: JSON, and one block of lists of numbers that it refers to by their places in the block.
+// The page's data: JSON, and one block of lists of numbers that it refers to by their places in the
+// block.
 const inflated = async text => {
   const raw = Uint8Array.fromBase64 ? Uint8Array.fromBase64(text) : Uint8Array.from(atob(text), c => c.charCodeAt(0));
   const stream = new Blob([raw]).stream().pipeThrough(new DecompressionStream('deflate-raw'));

@@ -13,7 +13,7 @@ const isNumber = v => typeof v === 'number';
 /** Counts keep all their digits. */
 const shown = v => (Number.isInteger(v) ? minus(v) : show(v));
 
-// ---- table --------------------------------------------------------------------------------------------------------
+// ---- table --------------------------------------------------------------------------------------
 let sortBy = null;
 let direction = 1;
 
@@ -85,7 +85,7 @@ function drawTable() {
   $('shown').textContent = `${left.length} of ${names.length} members`;
 }
 
-// ---- charts -------------------------------------------------------------------------------------------------------
+// ---- charts -------------------------------------------------------------------------------------
 /** How a status looks, also for eyes that do not tell the colours apart. */
 const looks = [['good', 'good', false], ['findings', 'c5', true], ['failed', 'bad', true], ['missing', 'soft', true]];
 const different = columns.filter(c => new Set(c.cells.filter(isNumber)).size > 1);

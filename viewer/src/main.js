@@ -22,7 +22,7 @@ theme(drawn, () => {
 });
 addEventListener('beforeprint', () => view?.refine());
 
-// ---- 3-D view -----------------------------------------------------------------------------------------------------
+// ---- 3-D view -----------------------------------------------------------------------------------
 const words = i => {
   const of = k => P.quantities[k];
   const values = P.quantities.slice(1).map((q, k) => `${q.name} ${show(listOf(of(k + 1))[i])} ${q.unit}`);

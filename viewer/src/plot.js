@@ -1,4 +1,5 @@
-// The charts of all pages, on uPlot: theme, legend that switches, keyboard, values under the pointer.
+// The charts of all pages, on uPlot: theme, legend that switches, keyboard, values under the
+// pointer.
 import uPlot from 'uplot';
 import { $, before, minus, show } from './basics.js';
 
@@ -96,11 +97,15 @@ function switches(keys, spec, series, hidden, u) {
 
 /**
  * A plot in a box.
- * spec: {x: label, y: label, series: [{name, x, y, colour, dash, width, bars, marks, hollow, quiet}], bands: [[key, key]], range, equal, extent,
- *        points, tip, say(rows, x), onMove(x, row), onPick(x, row), draw(u, context), legend()}
- * Series may have lists of x of their own, each in rising order. `bars` stand from their x to the next. `marks` are points without a line,
- * `hollow` ones are rings. With `points` the mark nearest to the pointer answers, in both directions; rows that lie on one another answer
- * together. With `tip` its words stand beside it too. `say` gives the words, where they are not the values of all series at a place.
+ * spec: {x: label, y: label,
+ *        series: [{name, x, y, colour, dash, width, bars, marks, hollow, quiet}],
+ *        bands: [[key, key]], range, equal, extent, points, tip, say(rows, x),
+ *        onMove(x, row), onPick(x, row), draw(u, context), legend()}
+ * Series may have lists of x of their own, each in rising order. `bars` stand from their x to the
+ * next. `marks` are points without a line, `hollow` ones are rings. With `points` the mark nearest
+ * to the pointer answers, in both directions; rows that lie on one another answer together. With
+ * `tip` its words stand beside it too. `say` gives the words, where they are not the values of all
+ * series at a place.
  */
 export function plot(id, spec) {
   const box = $(id);
@@ -152,7 +157,8 @@ export function plot(id, spec) {
     }
     return Math.min(last, before(u.data[0], u.posToVal(left, 'x')));
   };
-  // uPlot itself takes the nearest x. It asks for the places of all series, that of x first, before it tells of the pointer.
+  // uPlot itself takes the nearest x. It asks for the places of all series, that of x first, before
+  // it tells of the pointer.
   const own = spec.points || bars;
   const dataIdx = (u, k, idx) => {
     if (k === 0) here = find(u, idx);

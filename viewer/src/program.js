@@ -14,7 +14,9 @@ const written = (value, decimals, plus) => {
   return `${value < 0 ? '-' : plus ? '+' : ''}${digits.slice(0, at)}${decimals ? `.${digits.slice(at)}` : ''}`;
 };
 
-/** Makes the texts of all lines: how they are kept stands in src/write/preview/report/program.rs. */
+/**
+ * Makes the texts of all lines: how they are kept stands in src/write/preview/report/program.rs.
+ */
 export async function read() {
   if (!P) return;
   const lists = await unpacked(P.block);
@@ -32,7 +34,8 @@ export async function read() {
 export function show(t) {
   $('block').hidden = !texts.length;
   if (!texts.length) return;
-  // The first line that ends no sooner; times are rounded, so a line that ends just there may seem to end before.
+  // The first line that ends no sooner; times are rounded, so a line that ends just there may seem
+  // to end before.
   let [lo, hi] = [0, until.length - 1];
   while (lo < hi) {
     const mid = (lo + hi) >> 1;

@@ -1,5 +1,6 @@
-// Lines some pixels wide. WebGL draws lines one pixel wide only; three.js' fat lines are instanced, which takes seconds a frame where the browser
-// draws without a graphics card. Here each point is two vertices that the vertex shader moves apart across the line on the screen.
+// Lines some pixels wide. WebGL draws lines one pixel wide only; three.js' fat lines are instanced,
+// which takes seconds a frame where the browser draws without a graphics card. Here each point is
+// two vertices that the vertex shader moves apart across the line on the screen.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, Sphere, Vector2, Vector3 } from 'three';
 import { before } from './basics.js';
 
@@ -37,7 +38,10 @@ void main() {
 
 /** A line through points, coloured by a share from 0 to 1 at each; below 0: not known. */
 export class Ribbon extends Mesh {
-  /** `x`, `y`, `z`: the points; `stops`: colours of the scale; `none`: where there is no value; `width` in pixels. */
+  /**
+   * `x`, `y`, `z`: the points; `stops`: colours of the scale; `none`: where there is no value;
+   * `width` in pixels.
+   */
   constructor(x, y, z, stops, none, width) {
     const n = x.length;
     const at = new Float32Array(6 * (n + 2));
@@ -86,7 +90,10 @@ export class Ribbon extends Mesh {
     this.geometry.setDrawRange(6 * from, 6 * Math.max(0, before(this.kept, last) - from));
   }
 
-  /** From here on the line can be drawn with fewer points: those that leave it by no more than `off`, and no farther apart than `apart`. */
+  /**
+   * From here on the line can be drawn with fewer points: those that leave it by no more than
+   * `off`, and no farther apart than `apart`.
+   */
   thin(x, y, z, off, apart) {
     const kept = [0];
     let [length, angle] = [0, 0];

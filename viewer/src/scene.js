@@ -1,6 +1,8 @@
-// The 3-D view: the scene that the page carries as glTF, the path in colours, the tool where the cursor is, two ways of motion.
+// The 3-D view: the scene that the page carries as glTF, the path in colours, the tool where the
+// cursor is, two ways of motion.
 //
-// Everything lies in the blade frame, mm, under `carrier`; what turns on the machine is the carrier.
+// Everything lies in the blade frame, mm, under `carrier`; what turns on the machine is the
+// carrier.
 import {
   AmbientLight, BackSide, Box3, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, Group, Matrix4, Mesh, MeshBasicMaterial, MeshPhongMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Raycaster, Scene, Spherical, SRGBColorSpace, Vector3,
   WebGLRenderer, TOUCH,
@@ -38,7 +40,8 @@ export class View {
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.slow, preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.renderer.localClippingEnabled = true;
-    // Milliseconds of rest after which the picture is drawn anew with finer pixels, where smooth edges are too dear in motion.
+    // Milliseconds of rest after which the picture is drawn anew with finer pixels, where smooth
+    // edges are too dear in motion.
     this.patience = this.slow ? 600 : Infinity;
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(30, 1, 1, 10000);
@@ -113,7 +116,8 @@ export class View {
     (this.clipped ??= []).push(m);
     if (solid) {
       m.side = FrontSide;
-      // What is seen inside of a cut is the back of the far wall: painted flat, it looks like the cut itself.
+      // What is seen inside of a cut is the back of the far wall: painted flat, it looks like the
+      // cut itself.
       const inside = new Mesh(mesh.geometry, new MeshBasicMaterial({ color: 0xb5651d, side: BackSide }));
       inside.visible = false;
       mesh.add(inside);
@@ -143,7 +147,8 @@ export class View {
       const centre = new Vector3(mix(path.x, at), mix(path.y, at), mix(path.z, at));
       const z = new Vector3(0, 0, 1);
       if (path.ix) {
-        // Each location has a cone of its own: the tool axis itself is given, and the table turns with it.
+        // Each location has a cone of its own: the tool axis itself is given, and the table turns
+        // with it.
         const axis = new Vector3(mix(path.ix, at), mix(path.iy, at), mix(path.iz, at)).normalize();
         theta = Math.atan2(axis.z, axis.y);
         this.tool.matrix.compose(centre, new Quaternion().setFromUnitVectors(z, axis), new Vector3(1, 1, 1));
@@ -207,7 +212,8 @@ export class View {
   addPath() {
     if (!path?.x.length) return;
     this.lines = new Ribbon(path.x, path.y, path.z, data.colours, data.no_colour, 2);
-    // Without a graphics card each piece of the line takes its time: from afar, fewer do, half a pixel off at most.
+    // Without a graphics card each piece of the line takes its time: from afar, fewer do, half a
+    // pixel off at most.
     if (this.slow) this.lines.thin(path.x, path.y, path.z, this.reach / 600, this.reach / 75);
     this.carrier.add(this.lines);
     this.setTurns(...this.turns);
@@ -250,8 +256,8 @@ export class View {
   }
 
   /**
-   * Looks from a side, so near that all that matters fills the picture: blade or path, the tool where it stands, and on the machine what is
-   * shown of that.
+   * Looks from a side, so near that all that matters fills the picture: blade or path, the tool
+   * where it stands, and on the machine what is shown of that.
    */
   look(from) {
     this.from = from;
@@ -261,8 +267,9 @@ export class View {
     const half = Math.tan((Math.PI / 360) * this.camera.fov);
     // The program's line lies over the upper edge of the picture.
     const [down, top, across] = [half * 0.92, half * (1 - Math.min(0.35, 160 / (this.height || 500))), half * this.camera.aspect * 0.92];
-    // A point is seen where it is no farther to a side than the pyramid of sight is wide at its depth: the steepest decide about both the
-    // place beside which the camera stands and its distance.
+    // A point is seen where it is no farther to a side than the pyramid of sight is wide at its
+    // depth: the steepest decide about both the place beside which the camera stands and its
+    // distance.
     const most = [-Infinity, -Infinity, -Infinity, -Infinity];
     for (const p of this.wanted()) {
       const [u, v, w] = [p.dot(right), p.dot(up), p.dot(way)];
@@ -305,7 +312,8 @@ export class View {
     const deg = Math.PI / 180;
     if (from === 'tip') return this.mode === 'part' ? new Vector3(0.02, 1, 0.02) : new Vector3(1, 0.15, 0.1);
     if (from === 'tool' && axis) return new Vector3(axis.x, axis.y + 0.25, axis.z);
-    // From the side of the tool, at an angle to it, and where nothing of the blade is before it; the machine as far from its front as need be.
+    // From the side of the tool, at an angle to it, and where nothing of the blade is before it;
+    // the machine as far from its front as need be.
     const around = from === 'front' || !axis || Math.hypot(axis.x, axis.z) < 0.2 ? 7 * deg : Math.atan2(axis.x, axis.z);
     const turns = from === 'front' ? [0, 25, -25, 50, -50, 75, -75, 110, -110, 180] : [50, -50, 65, -65, 35, -35, 85, -85, 15, -15];
     const rise = (from === 'front' ? [17, 40] : [22, 45, 5]).map(r => r * deg);
@@ -368,7 +376,10 @@ export class View {
     });
   }
 
-  /** Index of the path's point under the pointer: the nearest to the eye of those within some pixels; −1 without one. */
+  /**
+   * Index of the path's point under the pointer: the nearest to the eye of those within some
+   * pixels; −1 without one.
+   */
   nearest(e) {
     if (!path || !this.lines?.visible) return -1;
     const r = this.canvas.getBoundingClientRect();
@@ -447,7 +458,10 @@ function withoutCard() {
   return /swiftshader|llvmpipe|software|basic render/i.test(words);
 }
 
-/** A material that takes a processor half the time of the physical one, and looks no worse without surroundings to mirror. */
+/**
+ * A material that takes a processor half the time of the physical one, and looks no worse without
+ * surroundings to mirror.
+ */
 function plain(m) {
   if (!m.isMeshStandardMaterial) return m;
   const { name, color, side, vertexColors, transparent, opacity, flatShading } = m;

@@ -10,7 +10,8 @@ const set = dark => {
 };
 
 /**
- * Begins; `redraw` draws anew what takes its colours from the page. `unfold` opens what paper cannot open, and gives what closes it again.
+ * Begins; `redraw` draws anew what takes its colours from the page. `unfold` opens what paper
+ * cannot open, and gives what closes it again.
  */
 export function theme(redraw, unfold = () => () => {}) {
   const system = matchMedia('(prefers-color-scheme: dark)');

@@ -11,7 +11,10 @@ export const launch = () => chromium.launch({
   args: ['--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
 });
 
-/** A page that remembers what must not happen: console errors, page errors, requests to anything but this file. */
+/**
+ * A page that remembers what must not happen: console errors, page errors, requests to anything but
+ * this file.
+ */
 export async function open(browser, url, options = {}) {
   const page = await browser.newPage(options);
   const bad = [];

@@ -1,8 +1,10 @@
-// family.html in headless Chromium: `node test/family.mjs FAMILY_FOLDER`, with SHOTS=DIR also pictures.
+// family.html in headless Chromium: `node test/family.mjs FAMILY_FOLDER`, with SHOTS=DIR also
+// pictures.
 //
 // Opens from file://, no console error, no network. What is drawn is compared with family.csv: every member's point in the colour of its status at the
-// place of its figures and no point elsewhere, every bar as high as it has members, for the columns chosen at first and for others. The pointer and the
-// keyboard name members and open their reports; the table sorts and filters; dark, print and a phone's width.
+// place of its figures and no point elsewhere, every bar as high as it has members, for the columns
+// chosen at first and for others. The pointer and the keyboard name members and open their reports;
+// the table sorts and filters; dark, print and a phone's width.
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, statSync } from 'node:fs';
 import { join, resolve } from 'node:path';
@@ -52,7 +54,10 @@ const colours = page => page.evaluate(() => Object.fromEntries([['good', 'good']
 })));
 const alike = (a, b) => a.every((v, k) => Math.abs(v - b[k]) < 12);
 
-/** Every member's point in its colour at its place, and no such colour elsewhere. Gives the places on the page. */
+/**
+ * Every member's point in its colour at its place, and no such colour elsewhere. Gives the places
+ * on the page.
+ */
 async function points(page, x, y) {
   const [xs, ys] = [figures(x), figures(y)];
   const both = members.map((m, k) => ({ name: m.name, status: m.status, x: xs[k], y: ys[k] })).filter(m => m.x !== null && m.y !== null);

@@ -1,5 +1,5 @@
-// preview.glb: `node test/gltf.mjs FILE…`: Khronos' validator finds no error and no warning, and three.js in headless Chromium loads all
-// of it, finds every node and plays every animation.
+// preview.glb: `node test/gltf.mjs FILE…`: Khronos' validator finds no error and no warning, and
+// three.js in headless Chromium loads all of it, finds every node and plays every animation.
 import assert from 'node:assert/strict';
 import { build } from 'esbuild';
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';

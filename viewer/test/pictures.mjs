@@ -1,5 +1,6 @@
-// Pictures for README and examples: `node test/pictures.mjs DIR RUN_FOLDER…`. For each run NAME.png, its 3-D view; of the last also
-// report.png (1440 x 900), report-phone.png (390 x 844), report-machine.png and report-plots.png.
+// Pictures for README and examples: `node test/pictures.mjs DIR RUN_FOLDER…`. For each run
+// NAME.png, its 3-D view; of the last also report.png (1440 x 900), report-phone.png (390 x 844),
+// report-machine.png and report-plots.png.
 import { basename, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { launch, open } from './browser.mjs';

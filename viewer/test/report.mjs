@@ -1,9 +1,11 @@
-// report.html in headless Chromium: `node test/report.mjs RUN_FOLDER…`, with SHOTS=DIR also pictures.
+// report.html in headless Chromium: `node test/report.mjs RUN_FOLDER…`, with SHOTS=DIR also
+// pictures.
 //
 // Opens from file://, no console error, no network; the 3-D canvas is not blank; slider, section, motion, colours, plots and the link
-// between them answer; every figure shown is the one in summary.json, verify.json and compare.json; a phone's width does not overflow. At
-// the first look the tool is in sight and playing is above the fold; every colouring has its legend and more than one colour; the line of
-// the program is the file's; the sheet of setup and tool is one page of paper.
+// between them answer; every figure shown is the one in summary.json, verify.json and compare.json;
+// a phone's width does not overflow. At the first look the tool is in sight and playing is above
+// the fold; every colouring has its legend and more than one colour; the line of the program is the
+// file's; the sheet of setup and tool is one page of paper.
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
@@ -92,7 +94,10 @@ async function playsAboveTheFold(page, height) {
   }
 }
 
-/** The lower end of the tool lies in the picture with nothing of the blade before it; so do, of what must be seen, all points. */
+/**
+ * The lower end of the tool lies in the picture with nothing of the blade before it; so do, of what
+ * must be seen, all points.
+ */
 async function toolInSight(page, what) {
   const found = await page.evaluate(() => {
     const v = globalThis.bladewright.view;
@@ -218,7 +223,8 @@ async function desktop(browser, folder, url) {
   await page.focus('#chart-velocity .canvas');
   for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowRight');
   assert.match(await page.textContent('#chart-velocity .readout'), /time, s .*this plan/);
-  // The map of the scallop answers with the dot under the pointer, not with another of the same way round.
+  // The map of the scallop answers with the dot under the pointer, not with another of the same way
+  // round.
   await page.locator('#chart-map').scrollIntoViewIfNeeded();
   const dot = await page.evaluate(() => {
     const u = globalThis.bladewright.plots.get('chart-map')?.u;

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Plans every example (EXAMPLES: a folder of examples that are planned already), tries its report.html and preview.glb in headless Chromium and
-# with Khronos' validator, plans a small family and tries its page, and checks that the committed bundles are what their sources make. Needs Node 20
-# and chromium. Pictures of each page, on a screen of 1440 x 900, on a phone and printed, are in out/look/shots. PICTURES=1: makes the pictures of
-# docs/ anew.
+# Plans every example (EXAMPLES: a folder of examples that are planned already), tries its
+# report.html and preview.glb in headless Chromium and with Khronos' validator, plans a small family
+# and tries its page, and checks that the committed bundles are what their sources make. Needs Node
+# 20 and chromium. Pictures of each page, on a screen of 1440 x 900, on a phone and printed, are in
+# out/look/shots. PICTURES=1: makes the pictures of docs/ anew.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 (cd viewer && npm ci --no-audit --no-fund --loglevel=error && npm run --silent check)

@@ -42,10 +42,12 @@ use crate::settings::from_toml;
 pub enum Rotary {
     /// Positions, growing over all turns: right where `A` is a linear axis to the control.
     Accumulate,
-    /// Steps from line to line (`{da}`): right on a modulo axis and on a linear one, since absolute words beyond 360° mean different things on
-    /// modulo axes, depending on machine data. Steps are of rounded positions: nothing adds up.
+    /// Steps from line to line (`{da}`): right on a modulo axis and on a linear one, since absolute
+    /// words beyond 360° mean different things on modulo axes, depending on machine data. Steps are
+    /// of rounded positions: nothing adds up.
     Incremental,
-    /// Positions in `0 … 360`; the control goes the shorter way: by itself, or because the word says so (`{a_way}({a})`). Nothing adds up.
+    /// Positions in `0 … 360`; the control goes the shorter way: by itself, or because the word
+    /// says so (`{a_way}({a})`). Nothing adds up.
     Modulo,
     /// None: the tool axis as a vector (`{i} {j} {k}`).
     Vector,
@@ -55,7 +57,8 @@ pub enum Rotary {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FeedWord {
-    /// `F = 1 / Δt`, 1/min: the control needs no notion of what a feed means for a line that turns and moves at once.
+    /// `F = 1 / Δt`, 1/min: the control needs no notion of what a feed means for a line that turns
+    /// and moves at once.
     InverseTime,
     /// mm/min of the programmed point; degrees/min on lines that turn only.
     PerMinute,
@@ -79,7 +82,8 @@ pub struct Numbering {
     /// Before the number.
     #[serde(default)]
     pub prefix: String,
-    /// First number; counting begins there again behind the greatest that `ranges` has for the prefix.
+    /// First number; counting begins there again behind the greatest that `ranges` has for the
+    /// prefix.
     pub first: u64,
     /// From line to line.
     pub step: u64,
@@ -120,7 +124,8 @@ impl Numbers {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CurveNumbers {
-    /// Digits after the point of lengths and angles, 5 to 9: derivatives at joints are as good as these.
+    /// Digits after the point of lengths and angles, 5 to 9: derivatives at joints are as good as
+    /// these.
     pub decimals: usize,
     /// Longest line then.
     pub longest_line: usize,
@@ -136,13 +141,16 @@ pub struct Text {
     /// Comments after the header.
     #[serde(default)]
     pub notes: Vec<String>,
-    /// Up to the safe position over the first location; with `turn_in` up to where tool-centre-point control comes on, with the table at 0.
+    /// Up to the safe position over the first location; with `turn_in` up to where
+    /// tool-centre-point control comes on, with the table at 0.
     pub start: Vec<String>,
-    /// From there in steps, the table turning, to the safe position: for a control that fixes X, Y, Z to the table as it stands when tool-centre-point control
-    /// comes on. Without it the table has turned before.
+    /// From there in steps, the table turning, to the safe position: for a control that fixes X, Y,
+    /// Z to the table as it stands when tool-centre-point control comes on. Without it the table
+    /// has turned before.
     #[serde(default)]
     pub turn_in: Vec<String>,
-    /// What switches the control's high-speed cutting on: stands for the line `{look_ahead}` of `start`.
+    /// What switches the control's high-speed cutting on: stands for the line `{look_ahead}` of
+    /// `start`.
     #[serde(default)]
     pub look_ahead: Vec<String>,
     /// What switches it off: stands for the line `{look_ahead_end}` of `retract`.
@@ -167,10 +175,12 @@ pub struct Text {
     pub leave: Vec<String>,
     /// To the safe position, and home.
     pub retract: Vec<String>,
-    /// Back to the first position of `A`, with `turn_in` to 0; left out where the part may not turn freely.
+    /// Back to the first position of `A`, with `turn_in` to 0; left out where the part may not turn
+    /// freely.
     #[serde(default)]
     pub unwind: Vec<String>,
-    /// Between two operations: behind the retract and the unwinding of one, before the tool call in `start` of the next.
+    /// Between two operations: behind the retract and the unwinding of one, before the tool call in
+    /// `start` of the next.
     #[serde(default)]
     pub operation_end: Vec<String>,
     /// The end.
@@ -191,28 +201,33 @@ pub struct PostFile {
     pub programmed: Programmed,
     /// What rotary words say.
     pub rotary: Rotary,
-    /// Bare words of the rotary axis that turns the blade go the shorter way (M126, roll-over axes). Default: where `rotary` is `modulo` and its words do
-    /// not say so themselves.
+    /// Bare words of the rotary axis that turns the blade go the shorter way (M126, roll-over
+    /// axes). Default: where `rotary` is `modulo` and its words do not say so themselves.
     #[serde(default)]
     pub shortest_way: Option<bool>,
     /// What F means.
     pub feed: FeedWord,
-    /// What the control reads in its words, by address: `F = { least = 0.001, greatest = 99999.999, decimals = 3 }`. Words that are not named may be anything.
+    /// What the control reads in its words, by address: `F = { least = 0.001, greatest = 99999.999,
+    /// decimals = 3 }`. Words that are not named may be anything.
     #[serde(default)]
     pub ranges: Ranges,
-    /// Step in which the control computes positions, mm. The tolerance that it may smooth by is then what the checks leave of the gouge limit, in whole
-    /// steps and at least one; without this key it is the chord tolerance of the path times `tolerance_factor`.
+    /// Step in which the control computes positions, mm. The tolerance that it may smooth by is
+    /// then what the checks leave of the gouge limit, in whole steps and at least one; without this
+    /// key it is the chord tolerance of the path times `tolerance_factor`.
     #[serde(default)]
     pub resolution_mm: Option<f64>,
     /// Before and after a comment.
     pub comment: [String; 2],
     /// Longest line.
     pub longest_line: usize,
-    /// Cuts are polynomials of at most this degree, 3 to 5, instead of straight moves (`PO[X]=({px})`); each as its end and the coefficients of
-    /// `p²`, `p³` … for `p` from 0 to 1. With `rotary = "incremental"` the ends of all words are steps: `text.cutting` then has to say `G91`.
+    /// Cuts are polynomials of at most this degree, 3 to 5, instead of straight moves
+    /// (`PO[X]=({px})`); each as its end and the coefficients of `p²`, `p³` … for `p` from 0 to 1.
+    /// With `rotary = "incremental"` the ends of all words are steps: `text.cutting` then has to
+    /// say `G91`.
     #[serde(default)]
     pub poly_degree: Option<usize>,
-    /// At the end of a line that goes on, after a comma; without it a block that is too long is an error.
+    /// At the end of a line that goes on, after a comma; without it a block that is too long is an
+    /// error.
     #[serde(default)]
     pub continuation: Option<String>,
     /// The control's tolerance over the chord tolerance of the path.
@@ -232,12 +247,14 @@ pub struct PostFile {
     pub numbering: Option<Numbering>,
     /// How numbers are written.
     pub numbers: Numbers,
-    /// Where cuts are polynomials and the plan has a smooth curve: more digits, and the longer lines that they take.
+    /// Where cuts are polynomials and the plan has a smooth curve: more digits, and the longer
+    /// lines that they take.
     #[serde(default)]
     pub curve: Option<CurveNumbers>,
     /// The program.
     pub text: Text,
-    /// Programs of two tools on one blade, all axes of both heads in one channel; without it there are none.
+    /// Programs of two tools on one blade, all axes of both heads in one channel; without it there
+    /// are none.
     #[serde(default)]
     pub pinch: Option<PinchText>,
     /// The same in two channels, a program for each.
@@ -337,7 +354,8 @@ impl Dialect {
     /// Reads the text of a post file; `origin` names it in messages.
     ///
     /// # Errors
-    /// Kind `Usage`: not TOML, an unknown or missing key, an unknown value in a line, or a number out of its range; with the place.
+    /// Kind `Usage`: not TOML, an unknown or missing key, an unknown value in a line, or a number
+    /// out of its range; with the place.
     pub fn from_toml(text: &str, origin: &str) -> Result<Self> {
         let file: PostFile = from_toml(text).map_err(|e| {
             let place = e.line.map(|n| format!(" line {n}")).unwrap_or_default();

@@ -44,12 +44,14 @@ pub struct PinchText {
     /// The control in words, where `name` of the post file says what these programs do not use.
     #[serde(default)]
     pub name: Option<String>,
-    /// File name of programs; `{channel}` stands for the number of the channel in `[pinch_channels]`.
+    /// File name of programs; `{channel}` stands for the number of the channel in
+    /// `[pinch_channels]`.
     pub file: String,
     /// A word of an axis: `{name}` is its letter, `{at}` its position.
     #[serde(default = "PinchText::letter_and_number")]
     pub axis: String,
-    /// The word of the axis that turns the blade; `{way}` is DC, the shorter way to a position within a turn, where it turns without end, else AC.
+    /// The word of the axis that turns the blade; `{way}` is DC, the shorter way to a position
+    /// within a turn, where it turns without end, else AC.
     #[serde(default)]
     pub turning_axis: Option<String>,
     /// Letters that the control has for axes; left out: X Y Z A B C U V W.
@@ -63,7 +65,8 @@ pub struct PinchText {
     pub notes: Vec<String>,
     /// Both tools go up to the ends of travel, spindles on; in two channels a wait mark.
     pub start: Vec<String>,
-    /// What switches the control's high-speed cutting on; left out where the job says `post.look_ahead = false`.
+    /// What switches the control's high-speed cutting on; left out where the job says
+    /// `post.look_ahead = false`.
     #[serde(default)]
     pub look_ahead: Vec<String>,
     /// The table and both leans turn, then the tools go over the first place.
@@ -75,7 +78,8 @@ pub struct PinchText {
     pub down: Vec<String>,
     /// Each place after it.
     pub cut: Vec<String>,
-    /// In two channels instead of `cut` where no axis of the channel moves: the channel waits as long.
+    /// In two channels instead of `cut` where no axis of the channel moves: the channel waits as
+    /// long.
     #[serde(default)]
     pub stand: Vec<String>,
     /// Up from the last place; in two channels a wait mark.

@@ -11,6 +11,7 @@ section! {
         /// Controls to write programs for.
         control: Vec<Control> = vec![Control::Siemens, Control::Linuxcnc];
         /// Own post files (TOML) to write programs with, besides.
+        ///
         /// Absolute once the job is complete.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         files: Vec<String> as Vec<PathBuf> = Vec::new();
@@ -27,6 +28,7 @@ section! {
         /// Distance between the tool and the sphere around the part at the safe positions, mm.
         safe_clearance_mm: f64 = 20.0, TINY..=1000.0;
         /// Tolerance that the control may smooth positions by, mm.
+        ///
         /// Left out: as the post file has it.
         #[serde(skip_serializing_if = "Option::is_none")]
         smoothing_mm: f64 as Option<f64> = None, TINY..=1.0;
