@@ -3,20 +3,25 @@
 //! Machine programs for the roots of turbine and compressor blades, straight from their CAD.
 //!
 //! ## The problem
-//! A ball-end cutter of radius `R` mills the airfoil of a blade near its platform. Its centre moves
-//! on the `R` level set of the distance to the whole part, so nothing is gouged. The spindle's
-//! pivot `B` is fixed and a rotary table `A` turns the blade about its own axis, so the tool axis
-//! lies on a cone about the blade axis and one angle `θ` places it. For every cutter location there
-//! is a set of `θ` for which the whole tool is clear of the whole part: over the arc length `S` of
-//! a turn that is the *S–θ channel*. A schedule `θ(S)` inside it that never turns back lets the
-//! machine run smoothly.
+//! A cutter mills the airfoil of a blade near its platform. In the plain case it ends in a ball of
+//! radius `R`. Its centre moves on the `R` level set of the distance to the whole part, so nothing
+//! is gouged. The spindle's pivot `B` is fixed and a rotary table `A` turns the blade about its own
+//! axis. So the tool axis lies on a cone about the blade axis, and one angle `θ` places it. Each
+//! cutter location has a set of `θ` for which the whole tool is clear of the whole part. Over the
+//! arc length `S` of a turn that is the *S–θ channel*. A schedule `θ(S)` inside it that never turns
+//! back lets the machine run smoothly.
+//!
+//! Other cases differ in one thing each. A bull-nose or flat cutter is a disc with a ball rolled
+//! over its rim. Among the blades of a wheel each location has a cone of its own, and five axes
+//! move. In turn-milling the tool passes the blade axis at an offset. Two tools may pinch the blade
+//! between them, and the table then stands still along each row.
 //!
 //! ## Frames and units
 //! Millimetres, radians and seconds inside; millimetres and degrees at every border.
 //!
 //! * **model frame**: the frame of the CAD file, scaled to mm. Files that a run writes are in it.
 //! * **blade frame**: `x` along the blade axis from root to tip; everything between reading and
-//!   writing is in it. The tool axis, from tip to spindle, is
+//!   writing is in it. The tool axis of a root, from tip to spindle, is
 //!   `a(θ) = (sin B, cos B cos θ, cos B sin θ)`.
 //! * **machine frame**: see [`machine`].
 //!
