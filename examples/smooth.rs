@@ -23,7 +23,7 @@ use bladewright::smooth::{self, Objective, SmoothOptions};
 use bladewright::verify::Verdict;
 use bladewright::{Error, Stage, job};
 
-/// Feed at which jerks are told, mm/min.
+/// Feed at which jerks are printed, mm/min.
 const FEED: f64 = 2000.0;
 /// Locations at either end that are left out: there the natural spline is not that of the path.
 const ENDS: usize = 10;

@@ -1,6 +1,6 @@
 //! Long work beside the interpreter. The work runs on threads of its own without the interpreter's
 //! lock. The calling thread looks up ten times a second: it hands progress and warnings to Python
-//! and notices Ctrl-C, which Python tells to its main thread alone.
+//! and notices Ctrl-C, which Python reports to its main thread alone.
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,7 +16,7 @@ use super::error::{fault, raised};
 /// Time between two looks.
 const BETWEEN: Duration = Duration::from_millis(100);
 
-/// What the work has to tell.
+/// What the work has to report.
 enum News {
     Progress(Stage, usize, usize),
     Warning(Warning),

@@ -90,7 +90,7 @@ pub struct Language {
     pub grammar: Grammar,
     /// Its coordinates.
     pub programmed: Programmed,
-    /// Rotary words go the shortest way: a modulo axis, or one that is told to.
+    /// Rotary words go the shortest way: a modulo axis, or one with a setting for it.
     pub shortest_way: bool,
 }
 

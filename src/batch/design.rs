@@ -1,4 +1,4 @@
-//! Parameters of the generator: keys of a design, and variations that are told in one number.
+//! Parameters of the generator: keys of a design, and variations that are given in one number.
 
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! How much memory there is to share out.
 
-/// Taken where the system does not tell, MiB.
+/// Taken where the system does not give it, MiB.
 const UNKNOWN_MIB: u64 = 4096;
 
 /// 80 % of what is available now, within the limit of the control group that this process is in,

@@ -149,7 +149,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Share of its size from which a triangle must be told to be clear.
+    /// Share of its size from which a triangle must be found to be clear.
     const OPEN: f64 = 0.1;
 
     proptest! {

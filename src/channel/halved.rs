@@ -186,7 +186,7 @@ impl Places<'_> {
         let Some([from, to]) = self.ends(piece) else { return s };
         let azimuth = 0.5 * (from + to);
         let centre = self.scene.centre(&s, azimuth).map_or(s.centre, |c| c.0);
-        // Somewhat more than that: shorter intervals are not told.
+        // Somewhat more than that: shorter intervals are not found.
         let beyond = 2.0 * self.all_angles.settings.tolerance_deg.to_radians();
         Sample { centre, azimuth, within_rad: Some(0.5 * (to - from) + beyond), ..s }
     }

@@ -498,7 +498,7 @@ pub enum BatchVerb {
 /// Options that say how a program that others wrote is to be read.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct Manner {
-    /// The control that the program is for; default: told from its words.
+    /// The control that the program is for; default: found from its words.
     #[arg(long, value_parser = words::parser::<Control>(), requires = "part")]
     pub control: Option<Control>,
     /// A post file (TOML) that says how the program is written.

@@ -1,4 +1,4 @@
-//! `--fit`: the frame of a program that others wrote, found and told.
+//! `--fit`: the frame of a program that others wrote, found and printed.
 
 use super::args::Manner;
 use super::out::sayln;

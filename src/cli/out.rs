@@ -43,7 +43,7 @@ pub fn line(text: Arguments<'_>) {
 
 /// Writes one line to standard error.
 pub fn told(text: &str) {
-    // Where not even this can be written, the exit code still tells.
+    // Where not even this can be written, the exit code still says so.
     let _ = writeln!(std::io::stderr(), "{}", visible(text));
 }
 

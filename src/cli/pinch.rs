@@ -11,7 +11,7 @@ use crate::plan::pinch::{Pinch, PinchProgrammed};
 use crate::run::{Loaded, RunFolder, pinch as files};
 use serde_json::json;
 
-/// Single ridges over the scallop by this factor are told.
+/// Single ridges over the scallop by this factor are printed.
 const HIGH: f64 = 1.5;
 
 /// Runs the verb; the exit code.

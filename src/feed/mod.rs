@@ -38,7 +38,7 @@
 //! left of the solver's tolerance is taken out by running the whole slower. Same output for any
 //! number of threads; time and memory are linear in the number of locations. Within jerk a bound is
 //! proved: no motion on the grid takes less time by more than a share (`jerk::bound`), and a
-//! warning tells that share where it is large.
+//! warning gives that share where it is large.
 //!
 //! ## Limits of the method
 //! Where the path has a corner (a crease of the level set, where a ball leaves a fillet uncut) the
@@ -78,7 +78,7 @@ pub use settings::{FeedKeys, FeedSettings};
 
 /// Locations that one thread takes at least.
 const PER_THREAD: usize = 1024;
-/// A motion for which no closer bound is proved is told of, as a share of its time.
+/// A motion for which no closer bound is proved gets a warning, as a share of its time.
 const LARGE_GAP: f64 = 0.05;
 
 /// Options of [`plan`].

@@ -42,7 +42,7 @@ fn a_text_in_place_of_a_number_is_told_as_that() {
         let e = file.set(assignment).unwrap_err();
         assert!(e.message.ends_with(told) && e.message.contains(assignment), "{}", e.message);
     }
-    // What is wrong otherwise is told in other words.
+    // What is wrong otherwise has other words.
     assert!(!file.set("schedule.kind=2mm").unwrap_err().message.contains("is not a number"));
 }
 
@@ -222,8 +222,8 @@ mod with_blade {
         resolve(typed, Path::new("/b")).unwrap().settle(blade).unwrap()
     }
 
-    /// The default tool is one of the catalogue's, whatever the part asks for, and what it leaves
-    /// is told.
+    /// The default tool is one of the catalogue's, whatever the part asks for, and the run
+    /// names what it leaves.
     #[test]
     fn a_default_tool_can_be_bought_and_says_what_it_leaves() {
         let (job, chosen) = settle("", &lens(60.0, 80.0));
@@ -262,7 +262,7 @@ mod with_blade {
         assert_eq!(job.tool.stickout_mm, 700.0, "what was asked for stays");
     }
 
-    /// A slit is told with its place and has no say; nor has damage of a mesh.
+    /// A slit is reported with its place and has no say; nor has damage of a mesh.
     #[test]
     fn slits_and_damage_have_no_say_in_the_tool() {
         // Two columns a fifth of a millimetre apart.

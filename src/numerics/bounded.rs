@@ -23,7 +23,7 @@
 //! ## Failure
 //! [`Missed`] names spans where no control values keep all limits, or numbers are not finite. A
 //! step is as long for all rows as the worst allows, so where some contradict one another many
-//! others are still missed in the end. Multipliers tell which: those of contradicting rows grow
+//! others are still missed in the end. Multipliers show which: those of contradicting rows grow
 //! without bound (Farkas' lemma), the others do not. The same bytes on any number of threads: sums
 //! are taken in a fixed order.
 

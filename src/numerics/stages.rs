@@ -20,7 +20,7 @@
 //!
 //! Guaranteed: the trajectory follows the dynamics; linear time and memory per iteration; the same
 //! result on any number of threads (there is one). Not guaranteed: that rows hold where no
-//! trajectory satisfies all: [`Solution::excess`] tells by how much the worst row is missed.
+//! trajectory satisfies all: [`Solution::excess`] is by how much the worst row is missed.
 
 mod dense;
 

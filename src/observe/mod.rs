@@ -63,7 +63,7 @@ pub trait Observer: Sync {
     }
 }
 
-/// Works on a stage and tells the observer when that begins and ends.
+/// Works on a stage and reports its begin and end to the observer.
 pub fn timed<T>(observer: &dyn Observer, stage: Stage, work: impl FnOnce() -> T) -> T {
     observer.begins(stage);
     let out = work();
@@ -82,7 +82,7 @@ pub struct Recorder<'a> {
 }
 
 impl<'a> Recorder<'a> {
-    /// Records what `inner` is told.
+    /// Records what is reported to `inner`.
     pub fn new(inner: &'a dyn Observer) -> Self {
         Recorder { inner, warnings: std::sync::Mutex::default() }
     }

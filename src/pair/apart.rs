@@ -20,7 +20,7 @@ pub struct Apart {
     /// The tools are nowhere nearer to each other than this, mm; negative where no plane is known
     /// that lies between them.
     pub least_mm: f64,
-    /// Unit direction, from tool 2 to tool 1, square to the plane that tells it.
+    /// Unit direction, from tool 2 to tool 1, square to the plane between them.
     pub across: Vector,
 }
 

@@ -48,7 +48,7 @@ pub struct Pass {
 ///
 /// What the cutter leaves over a point beside its pass is the least of what its stands leave, and
 /// grows as the square of the way from the one that leaves it. The part bends along the way, and
-/// the axis goes with the normal: round the edges of a blade both tell much.
+/// the axis goes with the normal: round the edges of a blade both matter much.
 struct Passing {
     touches: [Touch; 3],
     discs: [Disc; 3],
@@ -181,7 +181,7 @@ impl Pass {
 /// The ridge is where both balls leave the same height. That is midway only where the curvature
 /// across the passes does not change, and much nearer to one of them where a wall runs into a
 /// fillet: each height grows about as the square of the way from its own pass, `h_a ≈ (s_a a)²` at
-/// the share `a` of the way, which tells where to look next and, once that is near, how high the
+/// the share `a` of the way, which says where to look next and, once that is near, how high the
 /// ridge is: `(s_a s_b / (s_a + s_b))²`. Every place looked at is on the part, so where the
 /// curvature jumps the greatest height found is left there indeed.
 pub fn ridge_height(level: &LevelSet, passes: [&Pass; 2]) -> Option<f64> {
@@ -310,7 +310,7 @@ fn ray_into_ball(p: &Point, n: &Vector, c: &Point, radius_mm: f64) -> f64 {
 }
 
 /// The figure of many ridge heights that a pitch is judged by, mm: the greatest on exact faces; on
-/// a mesh the 99th percentile, since single ridges on the edges between facets tell of the facets
+/// a mesh the 99th percentile, since single ridges on the edges between facets show the facets
 /// and not of the part. Of cutters with a corner too, since they are foreseen as if turns went
 /// straight on: where these bend sharply that is too much. 0 without heights.
 pub fn decisive_mm(level: &LevelSet, mut heights_mm: Vec<f64>) -> f64 {

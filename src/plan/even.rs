@@ -1,7 +1,7 @@
 //! The schedule that turns the blade evenly, with its motion: how fast the ball can go is known
 //! only from the machine, and how fast the blade turns only from the schedule.
 //!
-//! A first motion, on the schedule that is smoothest by itself, tells the speeds that feed, contact
+//! A first motion, on the schedule that is smoothest by itself, gives the speeds that feed, contact
 //! and the linear axes allow. The schedule of kind `even` is made for these; where its own motion
 //! is held up in some places, the speeds there are what it reached, and the schedule is made again.
 //! What still is held up then turns more slowly.

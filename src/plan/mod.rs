@@ -6,7 +6,7 @@
 //! [`Setup::program`]: the text of a program. **Method** The stages follow one another; where the
 //! channel closes or the schedule comes too near between locations, path, channel and schedule are
 //! planned again ([`stages()`]). **Guarantees** No file is read or written; folders, times and
-//! manifests are those of [`crate::run`]. The observer is told when a stage begins and ends.
+//! manifests are those of [`crate::run`]. The observer gets the begin and end of each stage.
 //! **Fails** with the error of the stage, and with kind `Cancelled` when the observer asks to stop.
 //!
 //! [`stages()`]: planning::stages

@@ -23,7 +23,7 @@ const MOST_RAD: [f64; 2] = [1.31, 1.75];
 /// Cells are free where the arc on their latitude goes on by this either side, as a share of a
 /// cell; where it is narrow, by a share of it.
 const INSIDE: f64 = 0.5;
-/// Ends of arcs are told to this share of a cell.
+/// Ends of arcs are found to this share of a cell.
 const CELL_SHARE: f64 = 0.05;
 /// What latitude and longitude keep from the walls while the other is held, degrees, but at most a
 /// quarter of the width: at a wall of the one the other has no room.

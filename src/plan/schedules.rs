@@ -99,8 +99,8 @@ struct MovedSchedule {
 }
 
 impl MovedSchedule {
-    /// The one that is taken: its warnings are told, since those of candidates that are not used
-    /// would mislead.
+    /// The one that is taken: its warnings are reported, since those of candidates that are not
+    /// used would mislead.
     fn told(self, observer: &dyn Observer) -> (Schedule, (AxisMotion, [Lead; 2])) {
         self.warnings.into_iter().for_each(|w| observer.warn(w));
         (Schedule { kind: ScheduleKind::Time, ..self.schedule }, (self.motion, self.leads))

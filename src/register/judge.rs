@@ -19,7 +19,7 @@ const GROUPS: usize = 16;
 const OFF_MM: f64 = 0.1;
 /// Least width of Huber's weights, mm: rounding of words.
 const ROUNDED_MM: f64 = 0.000_05;
-/// A turn is told as such where it moves the places by more than this share of the shift.
+/// A turn is reported as such where it moves the places by more than this share of the shift.
 const TURNS: f64 = 0.2;
 
 /// What the balls do in a lay.

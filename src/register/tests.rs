@@ -142,7 +142,7 @@ fn stock_and_another_ball_are_accounted_for() {
     let stock = FitOptions { stock_mm: 0.5, ..FitOptions::default() };
     let fit = fitted(&text, centres, &blade, 1.5, &stock).unwrap();
     is_back(&fit, &moved, &contacts);
-    // Without the stock the ball is the wrong one, and the right one is told.
+    // Without the stock the ball is the wrong one, and the right one is named.
     let e = fitted(&text, centres, &blade, 1.5, &FitOptions::default()).unwrap_err();
     let Some(Infeasible::NoFrame { radius_mm: Some(radius_mm), scale: None, .. }) = e.infeasible.as_deref() else {
         panic!("{e}: {:?}", e.infeasible)

@@ -200,7 +200,7 @@ fn read_tables(out: &Path, setup: &Setup, plan: Plan) -> (Plan, [Check; 2]) {
 fn outputs(out: &Path, kept: Option<&Manifest>) -> Check {
     let quantity = "files that are missing or not as the run left them";
     let Some(kept) = kept else {
-        let note = "manifest.json is missing or damaged: what the run left cannot be told";
+        let note = "manifest.json is missing or damaged: what the run left is not known";
         return count(CheckId::Files, quantity, 1, note.into());
     };
     let short = |hash: &str| hash.chars().take(12).collect::<String>();

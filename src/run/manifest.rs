@@ -19,7 +19,7 @@ pub struct StageRecord {
     pub stage: Stage,
     /// Seconds of wall clock.
     pub seconds: f64,
-    /// Peak memory of the process up to its end, MiB; absent where the system does not tell.
+    /// Peak memory of the process up to its end, MiB; absent where the system does not give it.
     pub peak_memory_mib: Option<f64>,
 }
 
@@ -92,7 +92,7 @@ pub fn input_of(path: &Path, bytes: &[u8]) -> Input {
     }
 }
 
-/// Times stages, and passes on to another observer what it is told.
+/// Times stages, and passes on to another observer what is reported.
 pub struct Clock<'a> {
     inner: &'a dyn Observer,
     times: Mutex<Times>,
@@ -145,7 +145,7 @@ impl Observer for Clock<'_> {
     }
 }
 
-/// Peak resident memory of this process, MiB, where the system tells (Linux).
+/// Peak resident memory of this process, MiB, where the system gives it (Linux).
 pub fn peak_memory_mib() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;

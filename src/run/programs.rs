@@ -65,7 +65,7 @@ fn posted(setup: &Setup, dialect: &Dialect, verified: &Verified<Plan>) -> Result
     post::post(dialect, verified, setup.part_among(), &setup.job.tool, &setup.machine, &setup.post_options())
 }
 
-/// Checks a program of a plan. What is written now tells with which values the program was written.
+/// Checks a program of a plan. What is written now shows with which values the program was written.
 fn one(setup: &Setup, name: &str, content: &[u8], written: Program, plan: &Plan) -> Vec<Check> {
     match text_of(content) {
         Some(text) => read_back(setup, Program { file_name: name.to_owned(), text, ..written }, plan),

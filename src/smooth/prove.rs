@@ -49,7 +49,7 @@ struct Place {
 }
 
 /// Proves, span by span, that the ball is no deeper in the part than `limits[0]` and no farther off
-/// than `limits[1]`, mm; where it is, the proof tells by how much. Infinite where the part is
+/// than `limits[1]`, mm; where it is, the proof says by how much. Infinite where the part is
 /// nowhere near.
 pub(super) fn prove(part: &Allowed, radius_mm: f64, breaks: &Breaks, x: &[[f64; 3]], limits: [f64; 2]) -> Vec<Proof> {
     let of = |i: usize| {

@@ -53,7 +53,7 @@ impl Stretch<'_> {
             let marks = match self.attempt(&breaks) {
                 Some(Ok(found)) => return Some(Ok(found)),
                 Some(Err(marks)) => marks,
-                // What was marked before was halved beyond what numbers tell.
+                // What was marked before was halved beyond what numbers can hold.
                 None if !broken.is_empty() => break,
                 None => return None,
             };

@@ -242,7 +242,7 @@ fn the_path_is_cut_at_creases() {
     let ranges: Vec<_> = cut.iter().map(|(r, _)| r.clone()).collect();
     assert_eq!(ranges, [0..400, 399..401, 400..path.locations.len()]);
     assert!((cut[1].1.unwrap() - 0.5).abs() < 0.05);
-    // Beyond the crease normals are wrong, which the part itself tells.
+    // Beyond the crease normals are wrong, which the part itself shows.
     let curve = smoothed(&path, &angles, &SmoothOptions::default()).unwrap();
     assert!(curve.left.iter().any(|l| matches!(l.why, WhyLeft::Crease { .. })));
 }

@@ -1,6 +1,6 @@
 //! θ of the curve: between the walls of the channel, never falling. Its breaks are some of those of
 //! the ball centre: where these are near to one another, numbers of one size in floating point
-//! would not tell third derivatives of θ.
+//! would not show third derivatives of θ.
 
 use super::form::{self, Form};
 use super::{Share, SmoothOptions};

@@ -27,7 +27,7 @@ const MOST_STEPS: usize = 200;
 /// Where a cutter grazes, what is left falls slower than it moves; so many times at most is made of
 /// that.
 const MOST_STEEPER: f64 = 10.0;
-/// Places are told apart to this on the way there, mm.
+/// Places are resolved to this on the way there, mm.
 const APART_MM: f64 = 1e-5;
 
 impl Tool {

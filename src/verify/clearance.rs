@@ -29,12 +29,12 @@ const DEEPEST: u32 = 24;
 /// The same where it is only asked whether it falls short.
 const DEEPEST_SHORT: u32 = 10;
 
-/// Points of a triangle are told apart to this where it is only asked whether it is touched, mm.
+/// Points of a triangle are resolved to this where it is only asked whether it is touched, mm.
 pub(super) const TOUCH_MM: f64 = 0.002;
 
 /// Share of large distances that may be missed.
 const SHARE: f64 = 0.02;
-/// The same, and the least that is told apart, mm, where a clearance is only just kept or missed.
+/// The same, and the least that is resolved, mm, where a clearance is only just kept or missed.
 pub(super) const CLOSELY: (f64, f64) = (0.001, 0.0005);
 
 /// Distances beyond this are not measured, mm.
@@ -91,7 +91,7 @@ struct TrackSearch<'a> {
 
 impl<'a> TrackSearch<'a> {
     /// What may be missed where the least distance is `found`: the resolution, or a share of large
-    /// distances, a tenth of depths: a collision need not be told more finely.
+    /// distances, a tenth of depths: a collision need not be measured more finely.
     fn may_miss(&self, found: f64) -> f64 {
         self.resolution.max(self.share * found).max(-0.1 * found)
     }
@@ -278,7 +278,7 @@ pub(super) fn kept(
     of(on, measure_track(track, on, segments, CLOSELY))
 }
 
-/// What may be missed: a share of large distances, and the least that is told apart, mm.
+/// What may be missed: a share of large distances, and the least that is resolved, mm.
 pub(super) fn usual(resolution_mm: f64) -> (f64, f64) {
     (SHARE, resolution_mm)
 }

@@ -75,7 +75,7 @@ impl<'a> EndWay<'a> {
 
 /// The check `gouge`.
 pub(super) fn check(blade: &Blade, part: &Allowed, way: &EndWay, options: &VerifyOptions) -> Check {
-    // Openings near the path are refused before planning, so the nearest surface tells the side of
+    // Openings near the path are refused before planning, so the nearest surface gives the side of
     // an open part too.
     let inside = way.begins_inside(part);
     let g = inside.unwrap_or_else(|| way.deepest(part, options.settings.resolution_mm));

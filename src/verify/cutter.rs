@@ -105,8 +105,8 @@ impl SweptCutter<'_> {
 }
 
 /// Deepest gouge of the moves that count, measured to `resolution_mm`; distances of the cutter to
-/// the part are told up to `reach_mm` at least. The centre told is the point of the disc that is
-/// nearest to the part.
+/// the part are reported up to `reach_mm` at least. The centre reported is the point of the disc
+/// that is nearest to the part.
 pub(super) fn measure_within(part: &Allowed, swept: &SweptCutter, resolution_mm: f64, reach_mm: f64) -> Gouge {
     let n = swept.moves();
     let chunks: Vec<Gouge> = parallel::map(0..n.div_ceil(CHUNK), |k| {

@@ -36,8 +36,8 @@
 //! ```
 //!
 //! which [`DeviationMap::sharp_bound_mm`] is the greatest of; how many there are, and their area,
-//! is told with it. Corners on a sharp edge are kept apart, one for each side, so that only edges
-//! that are rounded more tightly than the triangles are short come to this.
+//! is reported with it. Corners on a sharp edge are kept apart, one for each side, so that only
+//! edges that are rounded more tightly than the triangles are short come to this.
 //!
 //! **Limits**: only the ball cuts; corners of one triangle on the edge of another (where one side
 //! was halved and the other not) leave hairline gaps in the drawing, none in the heights.

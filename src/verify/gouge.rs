@@ -60,12 +60,12 @@ pub(super) fn least_between(d0: f64, d1: f64, length: f64) -> f64 {
 }
 
 /// Deepest gouge of the whole sweep, measured to `resolution_mm`. Where the ball stays farther off
-/// the part than a move is long, only that is told.
+/// the part than a move is long, only that is reported.
 pub(super) fn measure(part: &Allowed, sweep: &Sweep, resolution_mm: f64) -> Gouge {
     measure_within(part, sweep, resolution_mm, 0.0)
 }
 
-/// As [`measure`]; distances of the ball to the part are told up to `reach_mm` at least.
+/// As [`measure`]; distances of the ball to the part are reported up to `reach_mm` at least.
 pub(super) fn measure_within(part: &Allowed, sweep: &Sweep, resolution_mm: f64, reach_mm: f64) -> Gouge {
     let n = sweep.centres.len() - 1;
     let chunks: Vec<Gouge> = parallel::map(0..n.div_ceil(CHUNK), |k| {

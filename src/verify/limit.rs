@@ -13,7 +13,7 @@
 //!
 //! * On exact faces, `d` is [`width_on_part_mm`] of the true curvature, summed over even samples of
 //!   `A`.
-//! * A mesh has no curvature. There the ridges tell: a pass with spacing `w` and ridge `c` could
+//! * A mesh has no curvature. There the ridges show it: a pass with spacing `w` and ridge `c` could
 //!   have had `w sqrt(h/c)`, so `L_min = Σ ℓ sqrt(c/h)` over the pieces `ℓ` of the passes, half for
 //!   the ridge on each side. This form is good to first order in `c/h − 1`; on exact faces it is
 //!   computed too, as a second opinion.

@@ -154,7 +154,7 @@ pub fn check_among(
     let (sweep, stands) = (sweep::Sweep::new(&plan.toolpath), plan.stands());
     let way = EndWay::new(tool, &sweep, &stands);
     let check = cuts::check(blade, &part, &way, options);
-    // What is told is what was proven, not the best that was measured.
+    // What is reported is what was proven, not the best that was measured.
     report.gouge_mm = check.worst;
     report.checks.push(check);
     report.checks.extend(cuts::check_obstacles(blade, obstacles, &way, options));

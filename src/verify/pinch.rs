@@ -252,7 +252,7 @@ fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Ch
         let mut least = f64::INFINITY;
         for (a, a_next) in here[0].iter().zip(&next[0]) {
             for (b, b_next) in here[1].iter().zip(&next[1]) {
-                // A direction along which the pieces are apart at both ends of a move tells so much
+                // A direction along which the pieces are apart at both ends of a move shows so much
                 // all the way, since both go straight and evenly.
                 let along = [a.towards(b), a_next.towards(b_next), a.between(b)].into_iter().flatten();
                 let apart = along.map(|d| a.gap_mm(b, &d).min(a_next.gap_mm(b_next, &d)));

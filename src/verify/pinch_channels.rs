@@ -265,7 +265,7 @@ struct Ways {
 
 impl Ways {
     /// A lower bound of the distance of any place of tool 1 from any of tool 2, mm; it ends where
-    /// one is less than asked for, and tells no more than that where none is.
+    /// one is less than asked for, and says no more than that where none is.
     fn apart_mm(&self) -> f64 {
         let whole = |j: usize| 0..self.tools[j].len();
         if whole(0).is_empty() || whole(1).is_empty() {

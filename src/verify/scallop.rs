@@ -193,7 +193,7 @@ fn published_depths(part: &Allowed, sweep: &Sweep) -> Vec<Height> {
 }
 
 /// From so many times the scallop on, or the ratio that is allowed if that is more, single places
-/// are told of: the verdict rests on the 99th percentile.
+/// are reported: the verdict rests on the 99th percentile.
 const STANDS_OUT: f64 = 1.5;
 
 /// How much of the surface stands out and where the most; `None` where nothing does.

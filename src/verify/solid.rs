@@ -177,7 +177,7 @@ impl Moving<'_> {
     /// Looks over a triangle for distances below `cap_mm` anywhere on the move. The first value is
     /// a lower bound for the triangle and the whole move, or `cap_mm` where that is less; the
     /// second the least distance below `cap_mm` seen in the middle of the move, with its point.
-    /// Points of the triangle are told apart to the tolerance, or to the share that the move itself
+    /// Points of the triangle are resolved to the tolerance, or to the share that the move itself
     /// has in the bound: a shorter move will look again.
     pub fn least_over_triangle(
         &self,

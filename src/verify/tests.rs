@@ -215,7 +215,7 @@ fn a_clean_plan_passes_with_the_closed_form_figures() {
     assert_eq!(report.gouge_mm, gouge);
     // The ball's equator, tilted by B, on the side of the part.
     let clear = BALL - BALL * B.sin();
-    // What is told is what was proven: a fiftieth less than what was measured.
+    // What is reported is what was proven: a fiftieth less than what was measured.
     assert!((report.clearance_mm - 0.98 * clear).abs() < 0.02 * clear, "{} {clear}", report.clearance_mm);
     let Verdict::Passed(v) = verdict else { panic!("not passed") };
     assert!(!v.forced());
@@ -300,7 +300,7 @@ fn moves_that_planning_leaves_pass_the_check() {
         let passed = checks.iter().all(|c| c.passed);
         assert!(passed || short == [row], "{k}: {short:?}, {checks:#?}");
         seen[usize::from(passed)] += 1;
-        // Nor are walls moved in for what is farther off by twice what is told apart.
+        // Nor are walls moved in for what is farther off by twice what is resolved.
         assert!(k < 5 || short.is_empty(), "{k}");
     }
     assert!(seen[0] > 3 && seen[1] > 3, "{seen:?}");
@@ -465,7 +465,7 @@ fn a_standing_tool_is_as_far_from_a_plane_as_its_profile_says() {
         for theta in [0.0, 1.0, -2.5] {
             let found =
                 standing(&part, &segments, &Stand::about_blade(Point::new(x, 0.0, 0.0), theta, b), 1e-4).unwrap();
-            // What is told of depths is not the way out along the wall: the nearest side may be
+            // What is reported of depths is not the way out along the wall: the nearest side may be
             // another.
             let (least, most) = if exact > 0.0 { (exact, exact * 1.02 + 1e-4) } else { (exact, 0.0) };
             assert!(found.distance_mm >= least - 1e-9 && found.distance_mm <= most, "{x} {b_deg}: {found:?}, {exact}");

@@ -18,7 +18,7 @@
 //! third derivative of the quintic through positions, velocities and accelerations at both ends of
 //! a step: within a step jerk is smooth, and the quintic knows it up to the third power of the
 //! step. The outermost steps are left out, and ways of few rows: there a plan's jerk may jump
-//! between two rows, and its columns tell nothing of that.
+//! between two rows, and its columns say nothing of that.
 
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::CutterLocation;
@@ -62,7 +62,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine) 
     vec![turns(plan, blade), contacts(plan, blade, tool), motion(plan, blade, machine)]
 }
 
-/// Findings in a list, of which the first is told.
+/// Findings in a list, of which the first is named.
 #[derive(Default)]
 struct Findings {
     count: usize,

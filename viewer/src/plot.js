@@ -158,7 +158,7 @@ export function plot(id, spec) {
     return Math.min(last, before(u.data[0], u.posToVal(left, 'x')));
   };
   // uPlot itself takes the nearest x. It asks for the places of all series, that of x first, before
-  // it tells of the pointer.
+  // it reports the pointer.
   const own = spec.points || bars;
   const dataIdx = (u, k, idx) => {
     if (k === 0) here = find(u, idx);

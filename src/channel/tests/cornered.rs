@@ -85,7 +85,7 @@ fn on_hollow_ground_the_back_of_the_disc_is_the_wall() {
     assert!(free.iter().zip(&channel.rows).all(|(f, r)| f.len() == 1 && f[0].theta_max == r.theta_max));
 }
 
-/// Where no inclination within the range will do, the one that would is told.
+/// Where no inclination within the range will do, the message names the one that would.
 #[test]
 fn a_hollow_too_narrow_is_refused_with_the_inclination_that_would_do() {
     let (blade, tool, path) = (world::blade(trough(4000)), bull(), along_the_trough(2.0));

@@ -157,7 +157,7 @@ pub(super) fn free_direction(at: &SurfaceDerivatives, space: &ParameterSpace) ->
 }
 
 /// The triangle itself, or where one corner is a pole the strip from the opposite side to the
-/// pole's, as two triangles. `pole` tells which parameter is free at a corner that is one.
+/// pole's, as two triangles. `pole` names the parameter that is free at a corner that is one.
 pub(super) fn strips(uv: [[f64; 2]; 3], pole: impl Fn([f64; 2]) -> Option<usize>) -> Vec<[[f64; 2]; 3]> {
     let found = (0..3).find_map(|k| pole(uv[k]).map(|free| (k, free)));
     let Some((k, free)) = found else { return vec![uv] };

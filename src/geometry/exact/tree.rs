@@ -2,8 +2,8 @@
 //!
 //! Every node has a frame of its own, along the surface in it, in which the boxes of its children
 //! lie. Strips of an airfoil are thin and aslant: boxes along the axes would overlap one another,
-//! boxes along the surface do not. The same frame tells what normals a child's surface has: a child
-//! on which no normal passes the query point holds no foot of it.
+//! boxes along the surface do not. The same frame bounds what normals a child's surface has: a
+//! child on which no normal passes the query point holds no foot of it.
 //!
 //! Boxes are kept in single precision about the middle of everything, rounded outwards, component
 //! by component, so that one node is tested by a few vector instructions. Built by the surface-area

@@ -10,7 +10,7 @@ const SAMPLES: usize = 33;
 /// No direction gets more lines than this.
 const MOST_LINES: f64 = 4000.0;
 /// No face gets more cells than this: one that asks for them is damaged or in a wrong unit, and a
-/// coarser mesh tells its deflection.
+/// coarser mesh gives its deflection.
 const MOST_CELLS: f64 = 2e5;
 
 /// A monotone map of one parameter: piecewise linear, one unit per line of the grid.

@@ -17,7 +17,7 @@ use crate::geometry::nurbs::foot::{ParameterSpace, SurfaceFoot};
 /// A loop point farther from its surface than this is an error, mm.
 const OFF_SURFACE_MM: f64 = 0.05;
 
-/// Corners of a ring, about, by which it is told where it lies.
+/// Corners of a ring, about, by which its place is found.
 const NESTED_AT: usize = 16;
 
 /// A closed polygon in the parameter plane.

@@ -48,7 +48,7 @@ impl Front<'_> {
     /// The end as a closed curve, in the direction of the turns: the last turn where it runs along
     /// the end all the way, else the last but one, closed. From where the turn before begins the
     /// next is near by on one side and it comes onto it by a smooth ramp, as a helix ends. Where
-    /// turns follow one another at the end already, while the rest is not, a finer search tells
+    /// turns follow one another at the end already, while the rest is not, a finer search finds
     /// better where it is, unless this one `is_finest`; over facets evened ways do.
     pub fn end_of(&self, turns: &[Vec<Node>], is_finest: bool) -> Option<Vec<Touch>> {
         if are_at_the_end(turns) {

@@ -102,7 +102,7 @@ impl Overrun {
         })
     }
 
-    /// The turn without the stretches that `ends` tells of: from a node and a later one that may be
+    /// The turn without the stretches that `ends` names: from a node and a later one that may be
     /// as near to it as `near_mm`, the node at which the turn goes on, if what lies between is left
     /// out. The farthest counts.
     fn shortened(&self, near_mm: f64, ends: impl Fn(usize, usize) -> Option<usize>) -> Vec<Node> {

@@ -46,7 +46,7 @@ pub(super) fn row(sheet: &Sheet, heights_mm: &[f64], observer: &dyn Observer) ->
                 looks.len() - middles.len(),
                 looks.len()
             ),
-            "one tool can machine it; `inspect --pairs` tells what faces what",
+            "one tool can machine it; `inspect --pairs` shows what faces what",
         )
     })?;
     let reach = 0.5 * sheet.levels[0].radius_mm;

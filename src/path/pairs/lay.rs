@@ -112,7 +112,7 @@ pub(super) fn side_of(
         for ridges_mm in &ridges_mm {
             out.greatest_mm = [0, 1].map(|j| out.greatest_mm[j].max(ridges_mm[j]));
         }
-        // Both sides are laid at the same time: one of them tells how far it is.
+        // Both sides are laid at the same time: one of them decides how far it is.
         if sign > 0.0 {
             observer.progress(Stage::Path, row.iter().filter(|at| at.is_none()).count(), row.len());
         }

@@ -97,7 +97,7 @@ pub fn detect(path: &Path, bytes: &[u8]) -> Result<Format> {
             Ok(stl_kind(bytes))
         }
         _ => {
-            Err(Error::io(Stage::Model, format!("{name}: neither its name nor its content tells its format"))
+            Err(Error::io(Stage::Model, format!("{name}: neither its name nor its content shows its format"))
                 .advise(KNOWN))
         }
     }

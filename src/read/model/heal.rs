@@ -76,7 +76,7 @@ pub fn heal(mesh: Mesh, options: &HealOptions) -> Healed {
         if closed > 0 {
             let triangles = mesh.triangles.len() - before;
             notes.push(Remark::HolesClosed { count: closed, most_mm, triangles });
-            // A piece that was open may be wound inward, and nothing told so before.
+            // A piece that was open may be wound inward, and nothing showed it before.
             notes.extend(wind::orient(&mut mesh));
         } else {
             notes.push(Remark::NoHoleToClose { most_mm });

@@ -142,7 +142,7 @@ pub fn region_json(region: &Region) -> Value {
     })
 }
 
-/// What a body of an assembly is, where that can be told.
+/// What a body of an assembly is, where that is known.
 fn kind(body: &Body) -> String {
     let wheel = wheel::wheel(&body.mesh).map(|w| w.in_words());
     wheel.or_else(|| recognise::looks_like_airfoil(&body.mesh)).map_or_else(String::new, |k| format!(": {k}"))

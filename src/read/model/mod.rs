@@ -5,7 +5,7 @@
 //! content first ([`mod@format`]); each reader gives either exact faces or loose triangles, and
 //! everything after that is common, so a further format is one file and one arm of a `match`.
 //!
-//! [`survey()`] tells what is in a file whatever its state; [`load`] goes on to a blade for
+//! [`survey()`] says what is in a file whatever its state; [`load`] goes on to a blade for
 //! planning.
 //!
 //! Guarantees: neighbouring triangles of a mesh wind alike, closed pieces outward; a damaged file
@@ -143,7 +143,7 @@ pub fn load_bytes(path: &Path, bytes: &[u8], options: &ModelOptions, observer: &
     Ok(blade)
 }
 
-/// Reads a model and tells what is in it, whatever its state.
+/// Reads a model and says what is in it, whatever its state.
 ///
 /// # Errors
 /// `InputOutput`: the file is missing, empty, damaged, of unknown format, or holds no body.

@@ -165,7 +165,7 @@ mod tests {
         assert_eq!(early.triangles, [[a, b, c]]);
     }
 
-    /// Weights do not move vertices, not even one of 0; only those that would have are told.
+    /// Weights do not move vertices, not even one of 0; only those that would have are reported.
     #[test]
     fn weights_are_passed_over() {
         let plain = soup("v 1 2 3\nv 4 5 6\nv 7 8 0\nf 1 2 3\n").unwrap();

@@ -94,7 +94,8 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
         return Err(first);
     }
     sew::sew(&mut brep, sew_mm);
-    // Each face can be meshed alone; if not all together, the first error is still the one to tell.
+    // Each face can be meshed alone; if not all together, the first error is still the one to
+    // report.
     let part = Part::meshed(brep, deflection_mm, observer).map_err(|_| first)?;
     out.published = changed(&original, &part);
     Ok((part, out))
@@ -157,7 +158,7 @@ mod tests {
         assert_eq!(topology(&part.mesh).open_edges, 0);
     }
 
-    /// An edge from the other end of the part in a loop: nothing tells where the face ends.
+    /// An edge from the other end of the part in a loop: nothing shows where the face ends.
     #[test]
     fn a_face_that_cannot_be_trimmed_is_left_out_and_hinders_a_plan() {
         let mut brep = prism();

@@ -110,7 +110,7 @@ impl Sheet {
         self.add(format!("MANIFOLD_SOLID_BREP('body',#{shell})"))
     }
 
-    /// Faces of a bar of size 10 × 4 × 60 from the origin; `sense` tells for each whether its plane
+    /// Faces of a bar of size 10 × 4 × 60 from the origin; `sense` says for each whether its plane
     /// faces outward.
     pub(super) fn bar(&mut self, sense: [bool; 6]) -> Vec<usize> {
         let size = [10.0, 4.0, 60.0];

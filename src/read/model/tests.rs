@@ -177,7 +177,7 @@ fn units_scale_and_absurd_sizes_are_named() {
     assert!((b.part.mesh.volume_mm3() / blade().volume_mm3() - 1.0).abs() < 1e-9);
     assert_eq!(b.unit, Unit::M);
     // As slender as a wind turbine's blade and of such a length in metres: nothing is planned
-    // before the unit is told.
+    // before the unit is given.
     let mut slim = blade();
     slim.points.iter_mut().for_each(|p| (p.x, p.y) = (0.1 * p.x, 0.1 * p.y));
     let bytes = ascii_stl(&slim).into_bytes();
@@ -185,7 +185,7 @@ fn units_scale_and_absurd_sizes_are_named() {
     let told = ModelOptions { unit: Some(Unit::Mm), ..ModelOptions::default() };
     load_bytes("slim.stl", &bytes, &told).unwrap();
     let bytes = ascii_stl(&small).into_bytes();
-    // Looked at without being told: the unit is guessed, with the reason, and the plan is said to
+    // Looked at without a given unit: the unit is guessed, with the reason, and the plan is said to
     // be impossible.
     let text = inspect_text(&look("metres.stl", &bytes).unwrap());
     for words in

@@ -3,7 +3,7 @@
 //! A file that names no unit is taken in mm, as mesh files usually are. Where the part would then
 //! have a size that no blade has, whatever the file declares, the unit in which it has a blade's
 //! size is taken instead: for looking at the file ([`Guess::Other`]), with the reason; a plan is
-//! refused until the unit is told, since a part of the wrong scale is scrap.
+//! refused until the unit is given, since a part of the wrong scale is scrap.
 
 use std::path::Path;
 
@@ -109,8 +109,8 @@ fn likely(size: f64, unit: Unit) -> Option<Unit> {
 
 /// What is said of a blade whose length over its mean chord is that of a wind turbine's blade, and
 /// so is its length if the file's numbers are metres: such models are drawn in metres, whatever the
-/// file says, and nothing else in the file tells. Nothing is planned then before the user has told
-/// the unit.
+/// file says, and nothing else in the file shows it. Nothing is planned then before the user has
+/// given the unit.
 pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: UnitSource) -> Option<Remark> {
     let (ratio, metres) = (length_mm / chord_mm, length_mm / unit.mm());
     let fits = ratio > SLENDER && (WIND_TURBINE_M[0]..=WIND_TURBINE_M[1]).contains(&metres);
@@ -118,12 +118,12 @@ pub fn slender(length_mm: f64, chord_mm: f64, unit: Unit, source: UnitSource) ->
     doubtful.then(|| Remark::WindTurbine { ratio, length_m: metres, unit: name(unit).into() })
 }
 
-/// Judges the unit by the part's box, mm. A unit that the user told is taken whatever the size.
+/// Judges the unit by the part's box, mm. A unit that the user gave is taken whatever the size.
 pub fn judge(path: &Path, b: Option<Aabb>, unit: Unit, source: UnitSource) -> Guess {
     judge_size(path, b.map(|b| (b.max - b.min).max()), unit, source)
 }
 
-/// What is said of a size that few blades have, where nothing but the size tells the unit.
+/// What is said of a size that few blades have, where nothing but the size suggests the unit.
 fn unlikely(size_mm: f64, unit: Unit) -> Remark {
     let size = size_mm / unit.mm();
     let others = [Unit::Cm, Unit::Inch, Unit::M].into_iter().filter(|u| *u != unit);

@@ -81,7 +81,8 @@ pub(super) fn read(text: &str) -> Result<Script> {
     let mut open = None;
     for (i, raw) in text.lines().enumerate() {
         let line = i + 1;
-        // What CAM systems tell in remarks of the form `$$-> CSYS / …` are statements all the same.
+        // What CAM systems write in remarks of the form `$$-> CSYS / …` are statements all the
+        // same.
         let told = raw.trim_start().strip_prefix("$$").filter(|l| l.starts_with("->") && statement.is_empty());
         let remark = REMARKS.iter().find(|f| statement.is_empty() && raw.trim_start().starts_with(**f));
         // Behind one $ the statement goes on in the next line, behind two it is done.
@@ -187,7 +188,7 @@ impl AptReader {
         };
         while let [word, behind @ ..] = rest {
             rest = match (*word, behind) {
-                // Registers of the offset, of the length, and lengths that are told.
+                // Registers of the offset, of the length, and lengths that are given.
                 ("ADJUST" | "OSETNO" | "LENGTH" | "SETOOL" | "ZOFF" | "CUTCOM", [value, behind @ ..]) => {
                     number(value)?;
                     behind
@@ -344,7 +345,7 @@ impl AptReader {
         Ok(frame)
     }
 
-    /// `CIRCLE/x,y,z,i,j,k,r` and what tells of its tolerances: counter-clockwise about i, j, k.
+    /// `CIRCLE/x,y,z,i,j,k,r` and what gives its tolerances: counter-clockwise about i, j, k.
     fn circle(&self, words: &[&str]) -> Read<Arc> {
         let v = words.iter().map(|n| number(n)).collect::<Read<Vec<f64>>>()?;
         let &[x, y, z, i, j, k, r, ..] = &v[..] else {

@@ -1,4 +1,4 @@
-//! Which dialect a program is written in, told from its text.
+//! Which dialect a program is written in, found from its text.
 
 use crate::artifact::program::{Grammar, Language, Programmed};
 

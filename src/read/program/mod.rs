@@ -4,7 +4,7 @@
 //! **Out**:
 //! a [`Script`] of [`Block`]s, and one [`Moved`] for each move. Each reader (`gcode`, `heidenhain`,
 //! `apt`) keeps the control's modal state; [`follow`] moves the machine through the blocks;
-//! [`guess`] tells the language of a text whose writer is not known.
+//! [`guess`] finds the language of a text whose writer is not known.
 //!
 //! **Guarantees**: a word that is neither acted on nor known to be harmless is refused with its
 //! line. The readers share nothing with the writers of programs.

@@ -463,7 +463,7 @@ fn a_tilted_plane_is_where_the_kinematics_bring_it() {
     assert!(((up.centre - zero.centre) - zero.axis * 10.0).norm() < 1e-9);
     assert!((across.centre - zero.centre).dot(&zero.axis).abs() < 1e-9);
     assert!((zero.axis.angle(&origin.axis).to_degrees() - 30.0).abs() < 1e-6);
-    // A tool that is not square to it is told.
+    // A tool that is not square to it is reported.
     let e = followed("G68.2 X0 Y0 Z0 I0 J30 K0\nG0 X1 Y2 Z3", Grammar::Gcode, Programmed::Machine).unwrap_err();
     assert!(e.message.contains("line 2 of the program: the tool is 30.000° off"), "{}", e.message);
 }

@@ -10,7 +10,7 @@ use crate::numerics::angle::within_half_turn;
 const OFF_RAD: f64 = 1e-6;
 /// The ends of a line are the same axis within this, rad.
 const SAME_RAD: f64 = 1e-9;
-/// Axes that are this near to opposite do not tell their plane, rad.
+/// Axes that are this near to opposite do not give their plane, rad.
 const OPPOSITE_RAD: f64 = 1e-6;
 /// Most pieces of a line.
 const MOST: usize = 1 << 14;

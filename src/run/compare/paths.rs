@@ -33,7 +33,8 @@ pub struct PathRun {
     pub time_s: f64,
 }
 
-/// All three; without the smooth one where the path stays as it is, which the observer is told.
+/// All three; without the smooth one where the path stays as it is, which the observer gets as a
+/// warning.
 pub(super) fn all(ground: &Ground, schedule: &Schedule, observer: &dyn Observer) -> Result<Vec<PathRun>> {
     let before = Before { path: ground.path, channel: ground.channel, schedule };
     let even = smooth::evened(&ground.setup.blade.part, ground.path)?;

@@ -15,7 +15,7 @@ use crate::verify::sweep::Sweep;
 
 /// Legs that another motion is tried at first.
 const A_FEW: usize = 200;
-/// Distances of the ball in rapids are told up to this, mm.
+/// Distances of the ball in rapids are reported up to this, mm.
 const FAR_MM: f64 = 1000.0;
 /// A feed may ask for this many times the velocity of an axis: words are rounded, and short lines
 /// are over within milliseconds.
@@ -72,7 +72,7 @@ pub(super) fn gouge(scene: &AuditScene) -> LineCheck {
 }
 
 /// A place where the way begins inside the part, and how deep the ball is there: from then on
-/// distances to the surface tell nothing.
+/// distances to the surface mean nothing.
 fn inside(scene: &AuditScene) -> Option<(usize, f64)> {
     let legs = &scene.legs.legs;
     let begins = |i: &usize| *i == 0 || legs.get(i.wrapping_sub(1)).is_some_and(|l| l.kind == LegKind::Gap);
@@ -286,7 +286,7 @@ fn reached(scene: &AuditScene) -> Reached {
     let mut out: Reached = vec![Vec::new(); machine.axes().len()];
     for (k, m) in scene.moves.iter().enumerate() {
         if m.words == Programmed::Machine && m.even() || !m.known() {
-            // Axes go straight from where they were: the end tells.
+            // Axes go straight from where they were: the end decides.
             for (axis, to) in m.axes(1.0, tool, machine).iter().copied().enumerate().filter(|(_, v)| v.is_finite()) {
                 out[axis].push((k, to, to));
             }

@@ -321,8 +321,8 @@ impl AuditScene<'_> {
         self.sweep_of(self.legs.of(kind))
     }
 
-    /// The deepest gouge of moves, measured to `resolution_mm`; distances to the part are told up
-    /// to `reach_mm` at least.
+    /// The deepest gouge of moves, measured to `resolution_mm`; distances to the part are reported
+    /// up to `reach_mm` at least.
     fn deepest(&self, wanted: Vec<bool>, resolution_mm: f64, reach_mm: f64) -> Gouge {
         if self.bench.tool.is_ball() {
             return gouge::measure_within(&self.part, &self.sweep_of(wanted), resolution_mm, reach_mm);

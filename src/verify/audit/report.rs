@@ -11,7 +11,7 @@ use crate::geometry::Point;
 use crate::verify::between::Heights;
 use crate::verify::setting::Finding;
 
-/// Most spans told for one check.
+/// Most spans reported for one check.
 const MOST_SPANS: usize = 20;
 
 /// What an audit found.

@@ -7,10 +7,10 @@
 //! times, less the corner radius; with the axis turning that is sought by golden section, so that
 //! heights are samples, not bounds.
 //!
-//! The cutter's centre does not tell beside which passes a place lies: the disc reaches far over
+//! The cutter's centre does not show beside which passes a place lies: the disc reaches far over
 //! it. So contacts do, the places where the part is nearest to the disc at the ends of each leg.
 //!
-//! What no cutter could reach is not told apart: on hollow ground it counts as left standing.
+//! What no cutter could reach counts too: on hollow ground as left standing.
 //!
 //! [`audit::scallop`]: super::super::audit::scallop
 
@@ -31,7 +31,7 @@ use crate::verify::sweep::Sweep;
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of
 /// threads.
 const CHUNK: usize = 128;
-/// Contacts are told apart to this, mm.
+/// Contacts are resolved to this, mm.
 const CONTACT_MM: f64 = 1e-4;
 /// Least sine between axis and normal that stepovers are guessed with: flatter, passes lie as far
 /// apart as the cutter is wide.

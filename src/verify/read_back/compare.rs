@@ -27,7 +27,7 @@ const DIRECTION_DEG: f64 = 0.001;
 const TIME: f64 = 0.001;
 /// Greatest relative difference of the time of a line.
 const FEED: f64 = 0.02;
-/// Times of lines are told apart from here on, s: places are rounded, and with them the times at
+/// Times of lines differ from here on, s: places are rounded, and with them the times at
 /// which the plan is there.
 const MOMENT_S: f64 = 0.01;
 /// A line that comes this near to the first or last location ends there, mm.
@@ -212,7 +212,7 @@ impl Comparison<'_> {
         let mut here = at;
         for (k, pose) in poses.iter().enumerate().skip(1) {
             // Within a line the ball may be off along the path by as much as across it, and θ may
-            // change fast along the path: the angle to the nearest place's would tell of that. At
+            // change fast along the path: the angle to the nearest place's would show that. At
             // ends only rounding is left.
             let on = if m.bend.is_some() {
                 let (on, angle_deg) = self.locate_on_curve(pose, here);

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! and likewise of the rotary axes. Lines of degree 3 carry two derivatives: of these the third is
-//! told, not judged. What the rounding of words makes of them is allowed for: with
+//! reported, not judged. What the rounding of words makes of them is allowed for: with
 //! words rounded to `ε` and lines of length `h`, at most `15 ε/h`, `40 ε/h²` and `90 ε/h³`.
 
 use crate::artifact::Axes;

@@ -100,7 +100,7 @@ pub fn read_back_each<'a>(
 /// the rest as the text says it. To be kept with the text, which may be another when it is read
 /// back.
 pub fn asked(text: &str, language: Language, operations: impl Iterator<Item = (u32, f64)>) -> Vec<Asked> {
-    // What cannot be read says nothing; reading it back tells why.
+    // What cannot be read says nothing; reading it back says why.
     let script = read(text, language).unwrap_or_default();
     let one = |(k, (tool_number, spindle_rpm)): (usize, (u32, f64))| Asked {
         tool_number,

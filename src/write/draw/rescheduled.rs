@@ -6,8 +6,8 @@ use crate::artifact::schedule::ThetaRow;
 /// Panels at most: the longest stretches.
 const MOST: usize = 12;
 
-/// A panel for each stretch, with its title, as an SVG file. Angles are told from the straight line
-/// that leads from the first to the last of the new ones, so that the channel fills the panel.
+/// A panel for each stretch, with its title, as an SVG file. Angles are measured from the straight
+/// line that leads from the first to the last of the new ones, so that the channel fills the panel.
 pub fn rescheduled_svg(stretches: &[(String, &[ThetaRow])]) -> String {
     let mut order: Vec<usize> = (0..stretches.len()).filter(|k| stretches[*k].1.len() > 1).collect();
     let length = |k: &usize| stretches[*k].1.last().map_or(0.0, |r| r.s_mm);

@@ -84,7 +84,7 @@ mod tests {
         let off_mm = s.axis_deg.to_radians() * tool.radius_mm;
         assert!(s.axis_deg >= STEP_DEG && s.mm + off_mm + 0.0002 + 0.00087 <= 0.003, "{s:?}");
         assert!((with(0.0008, &options, &siemens).mm - 0.002).abs() < 1e-12);
-        // No room: a step all the same, and that is told.
+        // No room: a step all the same, and the header says so.
         let s = with(0.0029, &options, &siemens);
         assert!((s.mm - 0.001).abs() < 1e-12 && (s.beyond_mm - 0.0011).abs() < 1e-9, "{s:?}");
         // What is asked for, and controls that have another rule.

@@ -127,7 +127,7 @@ pub(super) fn key(name: &str) -> Option<usize> {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum WordPiece {
     Text(String),
-    /// Index into [`KEYS`], and digits after the point where told.
+    /// Index into [`KEYS`], and digits after the point where given.
     Value(usize, Option<usize>),
 }
 

@@ -78,7 +78,7 @@ fn keeps(run: &OperationRun, programmed: Programmed, ends: &[Axes], share: f64, 
 
 impl OperationRun<'_> {
     /// Whole turns of the first rotary axis that a program drops: all dialects begin in the same
-    /// one, from 0 on. None where it has ends of travel and stands where it is told. Rad.
+    /// one, from 0 on. None where it has ends of travel and stands where it is programmed. Rad.
     pub(super) fn turns_before_rad(&self) -> f64 {
         let turning = self.machine.turning_axis();
         if self.machine.axes()[turning].limits.travel.is_some() {

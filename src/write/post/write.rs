@@ -216,7 +216,7 @@ impl<'a> Writer<'a> {
     fn a_deg(&self, a_rad: f64) -> f64 {
         let a = a_rad.to_degrees();
         match self.dialect.file.rotary {
-            // An axis with ends of travel stands where it is told.
+            // An axis with ends of travel stands where it is programmed.
             _ if !self.turns_without_end() => a,
             Rotary::Modulo => a.rem_euclid(360.0),
             Rotary::Accumulate | Rotary::Vector | Rotary::Incremental => a - self.run.turns_before_rad().to_degrees(),
@@ -284,7 +284,8 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// Sets the polynomials that end at a pose: steps or positions as the rotary axes are told.
+    /// Sets the polynomials that end at a pose: steps or positions as the rotary axes are
+    /// programmed.
     fn take_polynomials(
         &mut self,
         ends: &Axes<Fixed>,
@@ -531,7 +532,7 @@ impl<'a> Writer<'a> {
     }
 
     /// A word of a linear axis or of the second rotary axis that the machine has not, or of the
-    /// latter where it stands still and need not be told again.
+    /// latter where it stands still and need not be named again.
     fn left_out(&self, word: &Word) -> bool {
         let says =
             |name: &str| word.pieces.iter().any(|p| matches!(p, WordPiece::Value(k, _) if Some(*k) == key(name)));

@@ -1,8 +1,8 @@
 //! Which triangle belongs to what: airfoil, fillet, platform, root, tip.
 //!
 //! By height along the blade axis, by the side a triangle faces, and, so that things beside the
-//! airfoil are told from it, by the boxes of the airfoil's sections. Faces of a B-rep that belong
-//! to one area by nearly all of their surface are taken whole.
+//! airfoil are told apart from it, by the boxes of the airfoil's sections. Faces of a B-rep that
+//! belong to one area by nearly all of their surface are taken whole.
 
 use std::collections::BTreeMap;
 

@@ -17,7 +17,7 @@ use crate::read::model::faces::Stacking;
 /// Directions farther apart than this are not the same axis, degrees; the search has rivals from
 /// the same angle on.
 const APART_DEG: f64 = 35.0;
-/// An axis far from the one found is told where it scores less than this share of it.
+/// An axis far from the one found is reported where it scores less than this share of it.
 const FAR_LESS: f64 = 0.5;
 
 /// The run along the axis that was given.

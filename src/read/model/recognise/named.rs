@@ -1,5 +1,5 @@
 //! What the user says about regions: faces by number or name, heights. It takes the place of what
-//! was found; where it leaves no airfoil, this is told with the faces that belong to one.
+//! was found; where it leaves no airfoil, the error names the faces that belong to one.
 
 use super::super::ModelOptions;
 use super::{Heights, no_blade, run};

@@ -252,7 +252,7 @@ fn surrounding(mesh: &Mesh, bvh: &MeshBvh, x_mm: f64, airfoil: &LoopShape) -> Op
 /// Top of the platform: the height at which most surface near `x_mm` faces the tip, or `x_mm` where
 /// none does.
 ///
-/// A fillet hides the platform from sections until its very foot; the platform's own triangles tell
+/// A fillet hides the platform from sections until its very foot; the platform's own triangles show
 /// it exactly.
 fn platform_top(mesh: &Mesh, x_mm: f64, step: f64) -> f64 {
     let (lo, hi) = (x_mm - 0.5 * step, x_mm + 1e-6 * step);

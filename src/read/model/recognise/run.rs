@@ -23,7 +23,7 @@ const FREE_END: f64 = 0.03;
 /// See [`FREE_END`].
 const INSIDE: f64 = 0.15;
 
-/// The normals tell the airfoil's direction where their mean square along it is less by this than
+/// The normals give the airfoil's direction where their mean square along it is less by this than
 /// along the one tried.
 const CLEAR: f64 = 0.04;
 /// Measures of two airfoils of a part differ by less than this ratio.

@@ -40,7 +40,7 @@ const COVERED: f64 = 0.4;
 /// A lid at an end of the run is worth this much of its score.
 const LID: f64 = 1.0;
 /// A direction farther than this from the chosen one, degrees, that scores this share of it, is
-/// told to the user.
+/// reported to the user.
 const RIVAL_DEG: f64 = 35.0;
 /// See [`RIVAL_DEG`].
 const RIVAL: f64 = 0.5;
@@ -322,7 +322,7 @@ struct Other {
     line: Vector,
     why: &'static str,
     doubt: Remark,
-    /// Whether the root is at its high end, and why, where the ends tell.
+    /// Whether the root is at its high end, and why, where the ends show it.
     sense: Option<(bool, String)>,
 }
 

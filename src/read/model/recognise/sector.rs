@@ -34,7 +34,7 @@ const TIMES: f64 = 3.0;
 /// A place on the part and its normal.
 type Place = (Point, Vector);
 
-/// The wheel that a part is one sector of; `None`: it is none, or nothing tells.
+/// The wheel that a part is one sector of; `None`: it is none, or nothing shows it.
 pub fn sector(mesh: &Mesh) -> Option<Wheel> {
     let axis = Vector::ith(rotor::shaft(mesh)?, 1.0);
     let (all, places) = sides(mesh, &axis);

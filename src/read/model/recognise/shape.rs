@@ -204,12 +204,12 @@ fn bluntness(points: &[[f64; 2]], axis: [f64; 2]) -> f64 {
         let at = if sign < 0.0 { lo + NEAR_END * extent } else { hi - NEAR_END * extent };
         width(points, axis, at, |_| true)
     };
-    // Where an end is too wide or has too few points to tell its direction, across the main axis.
+    // Where an end is too wide or has too few points to give its direction, across the main axis.
     let ends = [-1.0, 1.0].map(|sign| end(sign).unwrap_or_else(|| across(sign)));
     ends[0].max(ends[1]) / widest
 }
 
-/// Least and greatest stretch of a loop that tells in which direction it ends, as a share of its
+/// Least and greatest stretch of a loop that shows in which direction it ends, as a share of its
 /// extent.
 const RUN_OUT: [f64; 2] = [0.12, 0.3];
 

@@ -388,7 +388,7 @@ mod tests {
         assert_eq!((t.blocks.len(), p.x, p.y, p.z), (1, 4.0, 5.0, 6.0));
         // One variable after another.
         let t = read("zone i=2 datapacking=block\n1 4\n2 5\n3 6\n", &[]);
-        assert!(t.is_err(), "without names of variables the rows tell their number");
+        assert!(t.is_err(), "without names of variables the rows give their number");
         let t = read("variables=x,y,z\nzone i=2 datapacking=block\n1 4\n2 5\n3 6\n", &[]).unwrap();
         assert_eq!(t.blocks[0].1, [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
         // A surface: its lines along I are the sections.

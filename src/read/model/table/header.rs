@@ -36,7 +36,7 @@ pub struct Header {
     pub columns: Vec<String>,
     /// Unit of angles.
     pub angle: Angle,
-    /// Whether a block is a closed loop or one side; none: told from the points.
+    /// Whether a block is a closed loop or one side; none: found from the points.
     pub order: Option<Order>,
     /// What parts the blocks of a file.
     pub blocks: Blocks,

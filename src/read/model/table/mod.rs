@@ -98,7 +98,7 @@ pub fn is_header_file(path: &Path) -> bool {
 }
 
 /// The data files that a header names; none for other files and where they cannot be found, which
-/// [`read`] tells.
+/// [`read`] says.
 pub fn data_files(path: &Path) -> Vec<std::path::PathBuf> {
     if !is_header_file(path) {
         return Vec::new();

@@ -113,7 +113,7 @@ impl Subprograms {
         self.sections.contains_key(name)
     }
 
-    /// Whether a line is one of a subprogram that was called, told by its first line.
+    /// Whether a line is one of a subprogram that was called, named by its first line.
     pub fn has_called(&self, line: usize, called: &[usize]) -> bool {
         // The line that names a subprogram is one before its first.
         self.sections.values().any(|s| called.contains(&s.first) && (s.first..=s.end).contains(&(line + 1)))

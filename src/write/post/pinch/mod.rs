@@ -305,7 +305,7 @@ impl<'a> Writer<'a> {
             let told: &[&str] = &["{axes}", "{moving}", "{rotary}", "{sides}"];
             if told.iter().any(|key| line.contains(key)) {
                 for k in self.own.clone() {
-                    // What was not told yet is told in the next line.
+                    // What was not written yet is written in the next line.
                     let is_told = line.contains("{axes}") || self.is_told(line, k);
                     if is_told {
                         self.stands[k] = Some(self.rounded(k, self.at[k])?);
@@ -316,7 +316,7 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// A line with a key for some axes tells of this one.
+    /// A line with a key for some axes names this one.
     fn is_told(&self, line: &str, k: usize) -> bool {
         let is_rotary = self.p.machine.axes()[k].is_rotary();
         match is_rotary {

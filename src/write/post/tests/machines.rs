@@ -134,7 +134,7 @@ fn every_dialect_reads_back_on_every_chain() {
                 Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso => {
                     assert!(has(first) && has(second) != second.is_empty(), "{control:?} {line}")
                 }
-                // Under tool-centre-point control what stands still is told once.
+                // Under tool-centre-point control what stands still is named once.
                 _ => assert!(has(first) && has(second) == (k == 4), "{control:?} {line}"),
             }
             if !second.is_empty() && control != Control::Apt {
@@ -205,7 +205,7 @@ fn fanuc_turns_in_under_tool_centre_point_control() {
             let axis = start.stand.axis();
             assert!((reached.axis - axis).norm() < 1e-5, "{k} {control:?}");
             assert!((reached.centre - start.stand.centre).cross(&axis).norm() < 1e-3, "{k} {control:?}");
-            // The same moves where the table has turned before are others, and the read-back tells
+            // The same moves where the table has turned before are others, and the read-back says
             // so.
             let lines: Vec<&str> = p.text.lines().collect();
             let g43 = lines.iter().position(|l| l.starts_with("G43.")).unwrap();

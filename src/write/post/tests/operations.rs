@@ -31,7 +31,7 @@ impl Two {
         join(&dialect, &self.operations(), 1, &sample::blade(), &machine).unwrap()
     }
 
-    /// Names of the checks that fail, and the operation that each is told of.
+    /// Names of the checks that fail, and the operation that each belongs to.
     fn failing(&self, program: &Program) -> Vec<String> {
         let made: Vec<_> =
             (0..2).map(|k| read_back::Operation { plan: self.plans[k].value(), tool: &self.tools[k] }).collect();

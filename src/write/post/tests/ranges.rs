@@ -177,7 +177,7 @@ fn siemens_words_never_add_up_to_a_drift() {
     assert!(worst(&p) > 5.0, "{}", worst(&p));
 }
 
-/// Polynomials have steps: each turn begins with its place told anew.
+/// Polynomials have steps: each turn begins with its place in absolute words.
 #[test]
 fn siemens_polynomials_are_set_anew_where_a_turn_begins() {
     let plan = sample::with_leads(sample::with_curve(sample::plan(5, 60), 0.05, 7.3));

@@ -5,7 +5,7 @@
 //! that needs no network: style, script and data are inside. Tables are static; the 3-D view and
 //! the plots are drawn by the script `viewer/dist/viewer.js`, which is built from `viewer/src` with
 //! three.js and uPlot by versions that `viewer/package-lock.json` pins. The bundle is part of the
-//! repository, so building the product needs no npm, and `npm run check` there tells whether it is
+//! repository, so building the product needs no npm, and `npm run check` there says whether it is
 //! what its sources make.
 //!
 //! **Every figure shown is one of `summary.json`, `verify.json` or `compare.json`**: cells name the

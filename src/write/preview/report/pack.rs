@@ -1,10 +1,10 @@
 //! Long lists of numbers as one block of bytes, deflated, in base 64.
 //!
-//! A number is kept as a whole number of steps, a step being a power of ten that the list is told:
-//! it comes back **within half a step**. Most lists are smooth, so what is written is how far each
-//! number lies from where those before it point: from 0, from the last, from the line through the
-//! last two or from the parabola through the last three, whichever leaves the least for the whole
-//! list. These are small, and take a byte or two each even before the block is deflated.
+//! A number is kept as a whole number of steps, a step being a power of ten that is given for the
+//! list: it comes back **within half a step**. Most lists are smooth, so what is written is how far
+//! each number lies from where those before it point: from 0, from the last, from the line through
+//! the last two or from the parabola through the last three, whichever leaves the least for the
+//! whole list. These are small, and take a byte or two each even before the block is deflated.
 //!
 //! A list in the block: how many numbers, digits after the point (+ 32) and kind of forecast, then
 //! the numbers. Whole numbers are written seven bits at a time, the lowest first, the eighth bit
