@@ -57,21 +57,18 @@ fn exists(path: &str) -> bool {
 }
 
 /// Numbers of the lines that are comments and too wide. A table's row, a link, and code that an
-/// example shows cannot be broken; line breaks of `///` count where it becomes text of a schema.
+/// example shows cannot be broken.
 fn wide_comments(text: &str) -> Vec<usize> {
     let (mut found, mut is_code) = (Vec::new(), false);
-    let is_schema = text.contains("JsonSchema") || text.contains("section! {");
     for (k, line) in text.lines().enumerate() {
         let Some(words) = line.trim_start().strip_prefix("//") else {
             is_code = false;
             continue;
         };
-        let is_text = is_schema && words.starts_with('/');
         let words = words.trim_start_matches(['/', '!']).trim_start();
         let is_fence = words.starts_with("```");
         is_code ^= is_fence;
-        let is_whole =
-            is_text || is_code || is_fence || words.starts_with('|') || words.contains("://") || !words.contains(' ');
+        let is_whole = is_code || is_fence || words.starts_with('|') || words.contains("://") || !words.contains(' ');
         if !is_whole && line.chars().count() > COMMENT_COLUMNS {
             found.push(k + 1);
         }
