@@ -223,7 +223,10 @@ fn plan_verify_post_and_preview_of_the_prism() {
     let d = dir.path();
     let model = root().join("models/prism.step").display().to_string();
     for threads in ["1", "2"] {
-        let keys = ["--set", "region.start_mm=5", "--set", "path.scallop_mm=0.03"];
+        // Fewer samples and longer chords than a user's: every command below reads and checks the
+        // plan again.
+        let sets = ["region.start_mm=5", "path.scallop_mm=0.03", "path.chord_mm=0.002", "verify.surface_samples=20000"];
+        let keys = sets.map(|s| ["--set", s]).concat();
         let out = bladewright(&[&["--threads", threads, "plan", &model, "-o", threads], &keys[..]].concat(), d);
         assert_eq!(
             out.status.code(),
@@ -302,18 +305,19 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
         let args = ["verify", program, "--part", model, "--tool", "1/job.resolved.toml", "--scallop", "0.03"];
         bladewright(&[&args[..], more].concat(), d)
     };
-    for program in ["1/program.mpf", "1/program.ngc"] {
-        let out = with(program, &["--report", "findings.json", "--map", "map.glb"]);
+    // A map is dear, and knows nothing of dialects.
+    let map: [&[&str]; 2] = [&["--map", "map.glb"], &[]];
+    for (program, map) in ["1/program.mpf", "1/program.ngc"].into_iter().zip(map) {
+        let out = with(program, &[&["--report", "findings.json"], map].concat());
         let text = String::from_utf8_lossy(&out.stdout).into_owned();
         assert_eq!(out.status.code(), Some(0), "{text}{}", String::from_utf8_lossy(&out.stderr));
         assert!(text.contains("ok   rapid") && text.contains("ok   scallop-turn"), "{text}");
         let report = std::fs::read_to_string(d.join("findings.json")).expect("a report");
         assert!(report.contains("\"name\": \"gouge\"") && report.contains("\"block\": \""), "{report}");
-        assert!(std::fs::read(d.join("map.glb")).expect("a map").starts_with(b"glTF"));
-        for file in ["findings.json", "map.glb"] {
-            std::fs::remove_file(d.join(file)).expect("removable");
-        }
+        std::fs::remove_file(d.join("findings.json")).expect("removable");
     }
+    assert!(std::fs::read(d.join("map.glb")).expect("a map").starts_with(b"glTF"));
+    std::fs::remove_file(d.join("map.glb")).expect("removable");
     let text = std::fs::read_to_string(d.join("1/program.ngc")).expect("readable");
     // With the mark that some editors put at the top.
     write(d, "theirs.ngc", format!("\u{feff}{}", text.replace("Z630.00000", "Z630.01000")).as_bytes());
@@ -555,18 +559,18 @@ fn limits_of_machine_and_channel_are_told_as_data() {
     let job = format!("[model]\nfile = '{prism}'\n[[fixture]]\nfile = \"box.stl\"\nunit = \"mm\"\n");
     write(dir.path(), "beside.toml", job.as_bytes());
     let twist = models.join("compressor_twist.step").display().to_string();
-    let long = ["tool.shank_radius_mm=30", "tool.stickout_mm=20"];
+    let long = ["tool.shank_radius_mm=30", "tool.stickout_mm=20", "region.end_mm=20"];
     let planted: [(&str, &str, Vec<&str>); 7] = [
         ("lean-out-of-reach", &prism, vec![&small_table]),
         ("swing", &prism, vec![&small_table, "machine.b_deg=0"]),
         ("beyond-travel", &prism, vec![&short_travel]),
-        ("ball-near-fixture", "beside.toml", vec![]),
+        ("ball-near-fixture", "beside.toml", vec!["region.end_mm=20"]),
         ("no-free-angle", &prism, vec!["region.start_mm=7", "tool.taper_deg=25", "channel.clearance_mm=3"]),
         ("channel-closes", &prism, long.to_vec()),
-        ("no-offset", &twist, vec!["schedule.kind=\"eccentric\""]),
+        ("no-offset", &twist, vec!["path.chord_mm=0.01", "schedule.kind=\"eccentric\""]),
     ];
     for (what, model, sets) in planted {
-        let found = no_plan(&[&["path.scallop_mm=0.1"], &sets[..]].concat(), model, dir.path());
+        let found = no_plan(&[&["path.scallop_mm=0.4"], &sets[..]].concat(), model, dir.path());
         assert_eq!(found["what"], what, "{found}");
         let near = |key: &str, to: f64| {
             let value = found[key].as_f64().expect(key);
