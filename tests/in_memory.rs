@@ -68,7 +68,8 @@ fn a_plan_in_memory_is_the_commands_plan() {
 #[test]
 fn a_smooth_curve_is_what_is_programmed() {
     let mut job = JobFile::from_model(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step")));
-    let keys = ["path.scallop_mm=0.03", "feed.smooth=true", "post.control=[\"siemens-poly\",\"heidenhain-spl\"]"];
+    let controls = "post.control=[\"siemens-poly\",\"heidenhain-spl\"]";
+    let keys = ["path.scallop_mm=0.1", "verify.surface_samples=20000", "feed.smooth=true", controls];
     keys.iter().for_each(|key| job.set(key).expect("a key"));
     let draft = inputs::draft(job, Path::new("")).expect("a draft");
     let outcome = run::in_memory(&draft, false, &Silent).expect("a plan");
@@ -114,8 +115,8 @@ fn a_smooth_run_is_taken_over_whole() {
         let mut command = Command::new(env!("CARGO_BIN_EXE_bladewright"));
         let model = concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step");
         command.args(["--quiet", "plan", model, "-o"]).arg(folder.path());
-        let keys = ["path.scallop_mm=0.1", "region.start_mm=12", "region.end_mm=8", "post.control=[\"siemens-poly\"]"];
-        keys.iter().chain(more).for_each(|key| {
+        let keys = ["path.scallop_mm=0.1", "region.start_mm=12", "region.end_mm=9", "post.control=[\"siemens-poly\"]"];
+        keys.iter().chain(&["verify.surface_samples=20000"]).chain(more).for_each(|key| {
             command.args(["--set", key]);
         });
         let out = command.output().expect("it runs");

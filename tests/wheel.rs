@@ -43,6 +43,9 @@ taper_deg = 3
 shank_radius_mm = 5
 stickout_mm = 70
 holder = [{ radius_mm = 15, length_mm = 40 }]
+
+[verify]
+surface_samples = 20000
 ";
 
 fn setup(changes: &[&str], machine: Machine) -> Result<Setup> {
@@ -87,7 +90,7 @@ fn on_blades(setup: &Setup, plans: &[Verified<Plan>], control: Control) -> (Prog
 #[test]
 fn every_blade_of_a_wheel_comes_back_as_planned() {
     for name in ["demo_table_head.toml", "trunnion_ac.toml"] {
-        let setup = setup(&["machine.b_deg=0", "region.end_mm=38"], machine(name)).expect("a setup");
+        let setup = setup(&["machine.b_deg=0", "region.end_mm=39"], machine(name)).expect("a setup");
         assert_eq!((setup.obstacles.len(), setup.blades_in_turn().expect("a wheel")), (1, 30));
         let Ok(Verdict::Passed(first)) = plan::plan(&setup, &Silent) else { panic!("{name}: no plan") };
         assert_eq!(first.value().channel.sweep, Sweep::Swing);
@@ -147,7 +150,7 @@ fn block(at: &Point, half_mm: f64) -> Mesh {
 /// rapids too, and safe positions are beyond it.
 #[test]
 fn the_wheel_turns_within_travel_and_clear_of_bodies() {
-    let changes = ["machine.b_deg=0", "region.end_mm=38"];
+    let changes = ["machine.b_deg=0", "region.end_mm=39"];
     let setup = |machine: Machine| setup(&changes, machine).expect("a setup");
     let [mut wide, narrow] = [[-400, 400], [-100, 100]].map(|travel_deg| setup(with_travel_of_a(travel_deg)));
     let setup = setup(machine("demo_table_head.toml"));
