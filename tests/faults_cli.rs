@@ -29,7 +29,8 @@ impl Shop {
         std::fs::write(dir.path().join("mine.toml"), own.replace("length_decimals = 5", "length_decimals = 4"))
             .expect("writable");
         let controls = "post.control=[\"siemens\",\"siemens-poly\",\"linuxcnc\"]";
-        let keys = ["--set", "region.start_mm=6", "--set", "path.scallop_mm=0.03", "--set", controls];
+        let sets = ["region.start_mm=6", "path.scallop_mm=0.03", "verify.surface_samples=20000", controls];
+        let keys = sets.map(|s| ["--set", s]).concat();
         let out = bladewright(&[&["--quiet", "plan", &model, "-o", "run"], &keys[..]].concat(), dir.path());
         assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
         Shop { dir, model }
@@ -197,7 +198,8 @@ fn programs_of_a_run_are_compared_with_its_plan() {
 fn the_frame_of_a_program_is_found() {
     let dir = tempfile::tempdir().expect("temporary folder");
     let model = root().join("models/steam_root.step").display().to_string();
-    let set = ["--set", "path.scallop_mm=0.4", "--set", "post.control=[\"siemens-vector\",\"iso\"]"];
+    let set = ["path.scallop_mm=0.4", "verify.surface_samples=20000", "post.control=[\"siemens-vector\",\"iso\"]"];
+    let set = set.map(|s| ["--set", s]).concat();
     let plan = ["--quiet", "plan", &model, "-o", "run"];
     let out = bladewright(&[&plan[..], &set].concat(), dir.path());
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
@@ -256,9 +258,9 @@ fn the_frame_of_a_program_is_found() {
     let (code, said) = fit("moved.nc", &model, &[]);
     assert_eq!(code, Some(0), "{said}");
     assert!(said.contains("added to X Y Z: 400.00") || said.contains("added to X Y Z: 399.99"), "{said}");
-    // Another part, and two ways to say where it is.
+    // Another part, where one word for X Y Z is enough; and two ways to say where it is.
     let other = root().join("models/prism.step").display().to_string();
-    let (code, said) = fit("moved.mpf", &other, &[]);
+    let (code, said) = fit("moved.mpf", &other, &["--programmed", "tip"]);
     assert!(code == Some(3) && said.contains("no frame lays the program over the part"), "{said}");
     assert_eq!(fit("moved.mpf", &model, &["--cad"]).0, Some(2));
 }
