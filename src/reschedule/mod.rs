@@ -29,7 +29,7 @@
 //! **Fails** with kind `Usage` where the program is not read or nothing of it touches the part,
 //! `Infeasible` where no stretch gains by a new schedule, with the reason of each.
 
-mod line;
+mod manner;
 mod planned;
 mod rewrite;
 mod stretches;

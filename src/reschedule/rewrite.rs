@@ -7,13 +7,14 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 
-use super::line::{self, Manner, Word};
+use super::manner::{self, Manner};
 use super::planned::Planned;
 use super::stretches::{Found, Place};
 use super::{Program, RescheduleOptions};
 use crate::artifact::program::{Grammar, Programmed};
 use crate::artifact::{Axes, Stand};
 use crate::geometry::{Point, Vector};
+use crate::read::program::line::{self, Word};
 use crate::read::program::{Block, Destination, Feed, Moved, RotaryWay};
 
 /// A feed is written anew where it differs by more than this share.
@@ -534,7 +535,7 @@ impl<'a> Rewriter<'a> {
             (Some(number), None) => added.push_str(&self.word("F", &number, modal)),
             (None, _) => {}
         }
-        Ok((feed_line, line::written(text, words, &new, &added)))
+        Ok((feed_line, manner::written(text, words, &new, &added)))
     }
 
     /// A word to be added to a line.
@@ -609,7 +610,7 @@ impl<'a> Rewriter<'a> {
         let words = line::words(text, grammar).ok_or_else(form)?;
         if !words.iter().any(|w| w.name == "F") {
             let added = self.word("F", &number, modal);
-            edit.text = Some(vec![line::written(text, &words, &[], &added)]);
+            edit.text = Some(vec![manner::written(text, &words, &[], &added)]);
         }
         Ok(())
     }

@@ -56,7 +56,6 @@ mod options;
 mod pinch;
 mod pinch_channels;
 mod pinch_program;
-mod pinch_read;
 pub mod read_back;
 mod restart;
 mod ridge;

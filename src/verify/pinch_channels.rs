@@ -14,12 +14,13 @@
 use std::ops::Range;
 
 use super::pinch::{PinchWork, Solid, solids};
-use super::pinch_read::{CENTRE_MM, Line, Mark, Read};
+use super::pinch_program::CENTRE_MM;
 use crate::artifact::report::Check;
 use crate::artifact::{Axes, CheckId};
 use crate::geometry::Vector;
 use crate::machine::{Carries, Machine, Pose};
 use crate::parallel;
+use crate::read::program::pinch::{Line, Mark, Read};
 use crate::tool::Tool;
 
 /// The channels may be so far apart in time where both cut by their own F, s: a cycle of a control.

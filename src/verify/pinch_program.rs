@@ -11,7 +11,6 @@ use super::cuts::{self, EndWay};
 use super::options::VerifyOptions;
 use super::pinch::PinchWork;
 use super::pinch_channels as channels;
-use super::pinch_read::{CENTRE_MM, Line, Read, read};
 use super::sweep::Sweep;
 use crate::artifact::paired::PinchMotion;
 use crate::artifact::report::Check;
@@ -20,8 +19,11 @@ use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
 use crate::numerics::angle::nearest_turn;
+use crate::read::program::pinch::{Line, Read, read};
 use crate::tool::{Tool, lowest_mm};
 
+/// Ball centres may lie so far from their places, mm.
+pub(super) const CENTRE_MM: f64 = 0.001;
 /// Tool axes may be turned so far, degrees.
 const AXIS_DEG: f64 = 0.001;
 /// A line that brings both balls this near to a place is that place's, mm.

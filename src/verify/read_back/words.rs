@@ -1,7 +1,7 @@
 //! The words of a program's text against what its control reads: `program-words`.
 //!
-//! Looks at the text alone, token by token, so that it holds for lines that no reader makes a move
-//! of as well.
+//! A check and no reader: it looks at the text alone, token by token, so that it holds for lines
+//! that no reader makes a move of as well.
 
 use crate::artifact::CheckId;
 use crate::artifact::program::{Grammar, Program, WordRange};

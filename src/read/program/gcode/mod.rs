@@ -16,6 +16,7 @@ use crate::artifact::program::Turning;
 use crate::error::Result;
 use modal::{Centre, Modal, Motion, Plane};
 use subprograms::{Jump, Subprograms};
+pub(super) use words::code;
 use words::{Constants, Word};
 
 /// A function that must have its line for itself, with the words that it may have.

@@ -58,7 +58,7 @@ impl Word<'_> {
 }
 
 /// The line without comments, and without blanks around `=`.
-pub(super) fn code(line: &str) -> Result<String, String> {
+pub(in crate::read::program) fn code(line: &str) -> Result<String, String> {
     let mut out = String::new();
     let mut rest = line.trim();
     while let Some(at) = rest.find(['(', ';']) {

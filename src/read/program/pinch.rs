@@ -1,9 +1,12 @@
 //! Programs of two tools, read line by line.
 //!
-//! The reader is apart from the writer: it knows the words of such a program, and refuses every
-//! other. It reads ISO words (`X12.3`), Siemens' (`X=12.3`, `A=DC(12.3)`, `M1=3`), comments behind
-//! `;` and in brackets.
+//! Such programs move all axes of the machine, also those of the second tool, which no [`Block`] of
+//! one tool has. So they have a reader that knows their words, and refuses every other. It reads
+//! ISO words (`X12.3`), Siemens' (`X=12.3`, `A=DC(12.3)`, `M1=3`); comments as in all G code.
+//!
+//! [`Block`]: super::Block
 
+use super::gcode::code;
 use crate::artifact::Axes;
 use crate::machine::Machine;
 
@@ -12,24 +15,22 @@ const WORDS: [&str; 9] = ["TRAFOOF", "TRANS", "SUPA", "SOFT", "FFWON", "FFWOF", 
 /// G words that move nothing and whose meaning stays.
 const SET: [f64; 15] = [5.1, 17.0, 21.0, 40.0, 49.0, 53.0, 54.0, 64.0, 80.0, 90.0, 93.0, 94.0, 500.0, 642.0, 710.0];
 
-/// Ball centres may lie so far from their places, mm.
-pub(super) const CENTRE_MM: f64 = 0.001;
-
 /// What a line does.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Line {
+pub struct Line {
     /// Its number in the text, from 1; of two channels both, else 0 for the second.
-    pub(super) numbers: [usize; 2],
-    pub(super) is_rapid: bool,
+    pub numbers: [usize; 2],
+    /// It is a rapid.
+    pub is_rapid: bool,
     /// Time that it asks for, s; `None`: a rapid.
-    pub(super) seconds: Option<f64>,
+    pub seconds: Option<f64>,
     /// Where all axes stand behind it, mm and rad; those not yet named are not numbers.
-    pub(super) at: Axes,
+    pub at: Axes,
 }
 
 impl Line {
     /// Which it is, in words.
-    pub(super) fn named(&self) -> String {
+    pub fn named(&self) -> String {
         match self.numbers {
             [one, 0] => format!("line {one}"),
             [one, two] => format!("line {one} of channel 1 and {two} of channel 2"),
@@ -39,44 +40,48 @@ impl Line {
 
 /// A wait mark.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Mark {
+pub struct Mark {
     /// Number of its line, from 1.
-    pub(super) line: usize,
+    pub line: usize,
     /// Its own number.
-    pub(super) mark: u32,
+    pub mark: u32,
     /// The channels that it waits for.
-    pub(super) channels: Vec<u32>,
+    pub channels: Vec<u32>,
 }
 
 /// A spindle where the tools begin to cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Spindle {
-    pub(super) rpm: f64,
-    pub(super) turns: bool,
+pub struct Spindle {
+    /// Its speed, 1/min.
+    pub rpm: f64,
+    /// It turns.
+    pub turns: bool,
 }
 
 /// A program.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Read {
+pub struct Read {
     /// Its moves between two marks each; one more than there are marks.
-    pub(super) parts: Vec<Vec<Line>>,
+    pub parts: Vec<Vec<Line>>,
     /// Its marks.
-    pub(super) marks: Vec<Mark>,
+    pub marks: Vec<Mark>,
     /// Columns of the axes that it names, with the line that does so first.
-    pub(super) named: Vec<(usize, usize)>,
+    pub named: Vec<(usize, usize)>,
     /// What is not set where it first moves at a feed.
-    pub(super) unset: Vec<&'static str>,
+    pub unset: Vec<&'static str>,
     /// Both spindles there.
-    pub(super) spindles: [Spindle; 2],
+    pub spindles: [Spindle; 2],
     /// How far the control may leave the lines, mm; `None`: not said.
-    pub(super) tolerance_mm: Option<f64>,
+    pub tolerance_mm: Option<f64>,
     /// It ends: M2 or M30 is its last word.
-    pub(super) ends: bool,
+    pub ends: bool,
 }
 
-/// Reads the program of a channel, from 0; `None`: there is one. `Err`: the number of the first
-/// line that cannot be read, and what is wrong with it.
-pub(super) fn read(text: &str, machine: &Machine, channel: Option<usize>) -> Result<Read, (usize, String)> {
+/// Reads the program of a channel, from 0; `None`: there is one.
+///
+/// # Errors
+/// The number of the first line that cannot be read, and what is wrong with it.
+pub fn read(text: &str, machine: &Machine, channel: Option<usize>) -> Result<Read, (usize, String)> {
     let mut reader = Reader {
         machine,
         own: channel.unwrap_or(0),
@@ -90,30 +95,10 @@ pub(super) fn read(text: &str, machine: &Machine, channel: Option<usize>) -> Res
     for (number, line) in (1..).zip(text.lines()) {
         let shown = || line.chars().take(80).collect::<String>();
         let wrong = |what: String| (number, format!("{what} in `{}`", shown()));
-        let code = without_comments(line).map_err(|what| wrong(what.into()))?;
+        let code = code(line).map_err(wrong)?;
         reader.block(number, &code).map_err(wrong)?;
     }
     Ok(reader.out)
-}
-
-/// A line without comments: behind `;`, and in brackets that follow no word.
-fn without_comments(line: &str) -> Result<String, &'static str> {
-    let (mut out, mut rest) = (String::with_capacity(line.len()), line);
-    while let Some(at) = rest.find([';', '(']) {
-        let (before, from) = rest.split_at(at);
-        out.push_str(before);
-        if from.starts_with(';') {
-            return Ok(out);
-        }
-        let behind = from.find(')').ok_or("a bracket without its end")?;
-        let (inside, left) = from.split_at(behind + 1);
-        if out.ends_with(|c: char| !c.is_whitespace()) {
-            out.push_str(inside);
-        }
-        rest = left;
-    }
-    out.push_str(rest);
-    Ok(out)
 }
 
 /// How far the words of a program have led.
