@@ -3,6 +3,9 @@
 use super::packed;
 use crate::numerics::bezier::{cubic, parameter};
 
+/// Room that θ keeps from the walls of the channel by default, degrees.
+pub const MARGIN_DEG: f64 = 0.5;
+
 /// How a schedule was made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]

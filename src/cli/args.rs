@@ -8,8 +8,10 @@ use super::words;
 use crate::artifact::blade::Unit;
 use crate::artifact::program::{Control, Programmed};
 use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::CHORD_MM;
 use crate::batch::Shard;
 use crate::error::Stage;
+use crate::verify::VerifySettings;
 
 /// Machine programs for turbine and compressor blades, straight from their CAD.
 #[derive(Debug, Parser)]
@@ -560,7 +562,7 @@ pub struct Reschedule {
     #[arg(long, value_name = "MM_MIN", value_parser = parse_positive)]
     pub feed: Option<f64>,
     /// Deepest gouge that the audits allow, mm.
-    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = 0.003)]
+    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = VerifySettings::default().gouge_mm)]
     pub gouge: f64,
     /// Folder for the new program, the report and the plot.
     #[arg(short, long, value_name = "DIR")]
@@ -593,7 +595,7 @@ pub struct Verify {
     #[arg(long, value_name = "MM", value_parser = parse_positive, requires = "part")]
     pub scallop: Option<f64>,
     /// Deepest gouge, mm.
-    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = 0.003, requires = "part")]
+    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = VerifySettings::default().gouge_mm, requires = "part")]
     pub gouge: f64,
     /// Stock that is to stay on the part, mm.
     #[arg(long, value_name = "MM", value_parser = parse_positive, requires = "part")]
@@ -606,7 +608,7 @@ pub struct Verify {
     #[arg(long, value_name = "FILE", value_parser = parse_map)]
     pub map: Option<PathBuf>,
     /// Tolerance of the map, mm.
-    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = 0.001, requires = "map")]
+    #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = CHORD_MM, requires = "map")]
     pub map_tolerance: f64,
 }
 

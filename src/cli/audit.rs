@@ -38,12 +38,12 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
             tools.iter().map(|tool| Bench { language, zero, tool, machine: &machine }).collect();
         let fit = fit::place((&args.manner, args.stock), &text, &mut benches, &blade, &terminal)?;
         let options = AuditOptions {
-            gouge_mm: args.gouge,
             scallop_mm: args.scallop,
             stock_mm: args.stock.unwrap_or(0.0),
             map_mm: args.map.as_ref().map(|_| args.map_tolerance),
             ..AuditOptions::default()
-        };
+        }
+        .with(|s| s.gouge_mm = args.gouge);
         // One tool is taken for the whole program, however often it is called.
         let audits = match &benches[..] {
             [bench] => vec![audit::audit(&text, &blade, bench, &options, &terminal)?],

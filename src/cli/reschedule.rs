@@ -67,7 +67,7 @@ fn options(args: &Reschedule) -> RescheduleOptions {
     let mut options = RescheduleOptions {
         stock_mm: args.stock,
         feed_mm_min: args.feed,
-        audit: AuditOptions { gouge_mm: args.gouge, ..AuditOptions::default() },
+        audit: AuditOptions::default().with(|s| s.gouge_mm = args.gouge),
         ..RescheduleOptions::default()
     };
     options.schedule.kind = args.schedule.unwrap_or(options.schedule.kind);

@@ -38,7 +38,7 @@ mod solve;
 mod tests;
 
 use crate::artifact::Blade;
-use crate::artifact::program::{Language, Programmed};
+use crate::artifact::program::{Language, Programmed, TOUCHES_MM};
 use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
 use crate::read::program::{self, Bench, Script, Zero};
@@ -57,7 +57,8 @@ pub struct FitOptions {
     /// The radius of the ball is looked for as well; of several tools it is the same difference of
     /// all. Default false: as the tool says.
     pub free_radius: bool,
-    /// A ball nearer to the part than this, or as deep in it, touches, mm. Default 0.02.
+    /// A ball nearer to the part than this, or as deep in it, touches, mm. Default:
+    /// [`TOUCHES_MM`].
     pub touching_mm: f64,
     /// Least share of the places between the first and the last contact that touch. Default 0.95.
     pub touching_share: f64,
@@ -74,7 +75,7 @@ impl Default for FitOptions {
             stock_mm: 0.0,
             either: false,
             free_radius: false,
-            touching_mm: 0.02,
+            touching_mm: TOUCHES_MM,
             touching_share: 0.95,
             condition: 1e5,
             runner_up_ratio: 5.0,

@@ -39,6 +39,7 @@ mod time;
 
 use serde::Serialize;
 
+use crate::artifact::program::TOUCHES_MM;
 use crate::artifact::schedule::ThetaRow;
 use crate::artifact::{Blade, CheckId};
 use crate::channel::ChannelSettings;
@@ -64,7 +65,8 @@ pub struct RescheduleOptions {
     pub channel: ChannelSettings,
     /// Stock that the program leaves, mm; `None`: found.
     pub stock_mm: Option<f64>,
-    /// The ball touches where it is this near to the part with its stock, mm. Default 0.02.
+    /// The ball touches where it is this near to the part with its stock, mm. Default:
+    /// [`TOUCHES_MM`].
     pub contact_mm: f64,
     /// New speed of the ball centre, mm/min; `None`: each line keeps its own.
     pub feed_mm_min: Option<f64>,
@@ -80,7 +82,7 @@ impl Default for RescheduleOptions {
             schedule: ScheduleSettings::default(),
             channel: ChannelSettings::default(),
             stock_mm: None,
-            contact_mm: 0.02,
+            contact_mm: TOUCHES_MM,
             feed_mm_min: None,
             chord_mm: crate::artifact::toolpath::CHORD_MM,
             audit: AuditOptions::default(),
@@ -196,8 +198,8 @@ pub fn reschedule(
     let radius_mm = bench.tool.radius_mm;
     let stock_mm = options.stock_mm.unwrap_or_else(|| stretches::stock_mm(&places, radius_mm, options.contact_mm));
     // Balls stay where they are, and so do the ridges between them.
-    let surface_samples = options.audit.surface_samples.min(RIDGES);
-    let audit = AuditOptions { stock_mm, surface_samples, clearance_closely: true, ..options.audit.clone() };
+    let audit = AuditOptions { stock_mm, clearance_closely: true, ..options.audit.clone() }
+        .with(|s| s.surface_samples = s.surface_samples.min(RIDGES));
     let before = timed(observer, Stage::Verify, || audit::audit(text, blade, bench, &audit, observer))?;
     let clearances = clearances(&options.channel, stock_mm.max(0.0), &before);
     let options = &RescheduleOptions { stock_mm: Some(stock_mm), ..options.clone() };
@@ -278,7 +280,7 @@ const SHARES: [f64; 5] = [1.0, 0.9, 0.75, 0.5, 0.0];
 /// The rounding of words brings the tool nearer by no more, as a rule, mm.
 const ROUNDED_MM: f64 = 0.004;
 /// Ridges are looked at in so many places.
-const RIDGES: usize = 10_000;
+const RIDGES: u32 = 10_000;
 /// Radii that differ by less are one ball's, mm.
 const SAME_BALL_MM: f64 = 1e-3;
 /// Farther from the part than this the tool is clear, however far it was, mm.

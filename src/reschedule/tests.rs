@@ -109,7 +109,7 @@ fn program(course: Course, n: usize, language: Language) -> String {
 }
 
 fn options(kind: ScheduleKind) -> RescheduleOptions {
-    let audit = AuditOptions { surface_samples: 2000, ..AuditOptions::default() };
+    let audit = AuditOptions::default().with(|s| s.surface_samples = 2000);
     // The sample's facets lie up to 0.043 mm within the cylinder.
     let (stock_mm, contact_mm) = (Some(0.0), 0.06);
     let mut options = RescheduleOptions { stock_mm, contact_mm, audit, ..RescheduleOptions::default() };

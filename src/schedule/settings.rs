@@ -1,6 +1,6 @@
 //! `[schedule]` of the job file.
 
-use crate::artifact::schedule::{BaseAngle, Measure, ScheduleKind, Scope};
+use crate::artifact::schedule::{BaseAngle, MARGIN_DEG, Measure, ScheduleKind, Scope};
 use crate::settings::section;
 
 section! {
@@ -26,7 +26,7 @@ section! {
         /// Between cutter locations the walls are known by linear interpolation only; this covers
         /// it. Servo lag and set-up errors of a table stay far below the default. Where the channel
         /// is narrower than four margins, a quarter of its width is kept instead, with a warning.
-        margin_deg: f64 = 0.5, 0.0..=45.0;
+        margin_deg: f64 = MARGIN_DEG, 0.0..=45.0;
         /// Lead of kind `fixed`: angle of the tool axis ahead of the surface normal, degrees.
         ///
         /// The default is in the middle of what CAM systems offer for ball-end finishing: it keeps

@@ -1,5 +1,6 @@
 //! Options of the smoothing stage.
 
+use crate::artifact::schedule::MARGIN_DEG;
 use crate::error::{Error, Result, Stage};
 
 /// Options of [`super::plan`].
@@ -37,7 +38,7 @@ impl Default for SmoothOptions {
             across: 0.03,
             along_mm: 2e-3,
             turn_rad: 0.5_f64.to_radians(),
-            margin_rad: 0.5_f64.to_radians(),
+            margin_rad: MARGIN_DEG.to_radians(),
             gap: 5e-3,
             bound_of_any: false,
         }

@@ -58,8 +58,7 @@ pub struct VerifyOptions {
     pub clearance_mm: f64,
     /// Clearance asked for between the part and the holder, mm: likewise.
     pub holder_clearance_mm: f64,
-    /// What the clearance check may miss between two of its samples, mm. Default 0.005: well below
-    /// any clearance asked for.
+    /// What the clearance check may miss between two of its samples, mm.
     pub clearance_resolution_mm: f64,
     /// What may be missing of a clearance asked for, mm. Default 0.005, or a hundredth of the
     /// clearance where that is more: what triangles are off exact faces, and what moves are told
@@ -83,7 +82,7 @@ impl Default for VerifyOptions {
             scallop_mm: SCALLOP_MM,
             clearance_mm: CLEARANCE_MM,
             holder_clearance_mm: HOLDER_CLEARANCE_MM,
-            clearance_resolution_mm: 0.005,
+            clearance_resolution_mm: CLEARANCE_RESOLUTION_MM,
             clearance_tolerance_mm: 0.005,
             angle_tolerance_deg: 1e-6,
             limit_tolerance: 1e-4,
@@ -104,6 +103,9 @@ impl VerifyOptions {
     }
 }
 
+/// What checks of clearance may miss between two samples by default, mm: well below any clearance
+/// asked for.
+pub(super) const CLEARANCE_RESOLUTION_MM: f64 = 0.005;
 /// Share of a clearance by which it may be missed.
 const TOLERATED: f64 = 0.01;
 

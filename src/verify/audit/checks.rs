@@ -50,22 +50,22 @@ pub(super) fn gouge(scene: &AuditScene) -> LineCheck {
         Some((leg, depth)) => {
             Gouge { found_mm: depth, bound_mm: depth, segment: leg, centre: scene.legs.stands[leg].centre }
         }
-        None => scene.deepest(scene.legs.of(LegKind::Cut), options.resolution_mm, 0.0),
+        None => scene.deepest(scene.legs.of(LegKind::Cut), options.settings.resolution_mm, 0.0),
     };
     let bound = found.bound_mm.max(found.found_mm).max(0.0);
     let limit = Limit {
         id: CheckId::Gouge,
         quantity: format!("depth of the swept {} in the part at a feed", scene.end_name()),
-        limit: options.gouge_mm,
+        limit: options.settings.gouge_mm,
         unit: "mm",
-        passed: bound <= options.gouge_mm,
+        passed: bound <= options.settings.gouge_mm,
     };
     let at = scene.part.closest(&found.centre, f64::INFINITY);
     let face = at.map(|c| scene.part.face_name(c.face)).unwrap_or_default();
     let note = format!("measured {:.6}, nowhere deeper than {bound:.6}; {face}", found.found_mm.max(0.0));
     let mut check = scene.judged(limit, &scene.on_leg(bound, found.segment, at.map(|c| c.point)), note);
     if !check.check.passed {
-        let deeper = scene.deeper_than(scene.legs.of(LegKind::Cut), options.gouge_mm);
+        let deeper = scene.deeper_than(scene.legs.of(LegKind::Cut), options.settings.gouge_mm);
         scene.tell_spans(&mut check, &deeper, found.segment);
     }
     check
@@ -271,7 +271,7 @@ pub(super) fn settings(scene: &AuditScene, source: &MovesSource, passes: &Sweep)
         }
     }
     let at_part = source.blocks.iter().zip(&cuts).filter(|(_, cut)| **cut).map(|(b, _)| b);
-    let tolerance_mm = scene.options.gouge_mm.max(scene.options.scallop_mm.unwrap_or(0.0));
+    let tolerance_mm = scene.options.settings.gouge_mm.max(scene.options.scallop_mm.unwrap_or(0.0));
     let theirs = setting::theirs(source.script, source.blocks, at_part, tolerance_mm, scene.bench.tool);
     let end = source.last.then(|| setting::end(CheckId::End, source.script));
     theirs.into_iter().chain(end).map(|f| scene.set(f)).collect()
@@ -323,7 +323,7 @@ pub(super) fn share_bad(scene: &AuditScene) -> f64 {
     let mut few = vec![false; scene.legs.legs.len()];
     cuts.iter().step_by(cuts.len().div_ceil(A_FEW).max(1)).for_each(|i| few[*i] = true);
     let looked = few.iter().filter(|w| **w).count();
-    let mut bad = scene.deeper_than(few.clone(), scene.options.gouge_mm);
+    let mut bad = scene.deeper_than(few.clone(), scene.options.settings.gouge_mm);
     bad.extend(clearance::below(scene.track(&few), &scene.blade.part, &scene.bench.tool.segments(), 0.0));
     bad.sort_unstable();
     bad.dedup();
@@ -338,10 +338,10 @@ pub(super) fn clean(scene: &AuditScene) -> bool {
     if first.is_none_or(|c| scene.part.inside(&c)) {
         return false;
     }
-    let limit = scene.options.gouge_mm;
+    let limit = scene.options.settings.gouge_mm;
     if share_bad(scene) > 0.0 || !contact(scene, &scene.passes()).check.passed {
         return false;
     }
-    let gouge = scene.deepest(wanted, scene.options.resolution_mm, 0.0);
+    let gouge = scene.deepest(wanted, scene.options.settings.resolution_mm, 0.0);
     gouge.bound_mm <= limit && clearances(scene).iter().all(|c| c.check.passed)
 }

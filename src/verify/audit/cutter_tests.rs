@@ -90,7 +90,8 @@ fn helix(pitch: f64, fault: Fault) -> String {
 fn judged(text: &str, blade: &Blade, tool: &Tool, scallop_mm: f64) -> Audit {
     let machine = Machine::demo().unwrap();
     let bench = Bench { language: TIPS, zero: Zero::default(), tool, machine: &machine };
-    let options = AuditOptions { surface_samples: 6000, scallop_mm: Some(scallop_mm), ..AuditOptions::default() };
+    let options =
+        AuditOptions { scallop_mm: Some(scallop_mm), ..AuditOptions::default() }.with(|s| s.surface_samples = 6000);
     audit(text, blade, &bench, &options, &Silent).unwrap()
 }
 
@@ -222,7 +223,7 @@ fn what_cannot_be_judged_with_a_corner_is_one_sentence() {
     let text = rows(1.2, SOUND);
     for (options, says) in [
         (AuditOptions { map_mm: Some(0.001), ..AuditOptions::default() }, "deviation maps are made for ball-end"),
-        (AuditOptions { gouge_mm: 0.06, ..AuditOptions::default() }, "gouges of 0.06 mm are allowed"),
+        (AuditOptions::default().with(|s| s.gouge_mm = 0.06), "gouges of 0.06 mm are allowed"),
     ] {
         let e = audit(&text, &blade, &bench, &options, &Silent).unwrap_err();
         assert!(e.message.contains(says), "{}", e.message);

@@ -53,6 +53,8 @@ use super::between::NEAR_MM;
 use super::cutter::{self, SweptCutter};
 use super::deviation::{self, ToolCut};
 use super::gouge::{self, Gouge};
+use super::options::CLEARANCE_RESOLUTION_MM;
+use super::settings::VerifySettings;
 use super::sweep::Sweep;
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
@@ -64,47 +66,41 @@ use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::parallel;
 use crate::read::program::{self, Bench, Block, Script};
+use crate::settings::with_settings;
 use crate::tool::Tool;
 
 /// Limits and sampling of [`audit`]. Lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AuditOptions {
-    /// Deepest gouge allowed, mm. Default 0.003.
-    pub gouge_mm: f64,
+    /// Those that checks of plans have as well, at the job's defaults.
+    pub settings: VerifySettings,
     /// Greatest scallop, mm; `None` (the default): measured, not judged.
     pub scallop_mm: Option<f64>,
-    /// The 99th percentile of the scallop may be this many times `scallop_mm`. Default 1.05.
-    pub scallop_ratio: f64,
     /// The 95th percentile of the scallop over one turn may be this many times `scallop_mm`.
     /// Default 1.25.
     pub turn_ratio: f64,
     /// Stock that is to stay on the part, mm. Default 0.
     pub stock_mm: f64,
-    /// What the checks of gouge may miss between two samples, mm. Default 0.0005.
-    pub resolution_mm: f64,
-    /// What the checks of clearance may miss between two samples, mm. Default 0.005.
+    /// What the checks of clearance may miss between two samples, mm: by default as in plans.
     pub clearance_resolution_mm: f64,
     /// Clearances are measured to a thousandth and half a micrometre, on triangles that are nearer
     /// to the exact faces: what two programs keep can be compared. Default false.
     pub clearance_closely: bool,
-    /// Number of samples of the surface, about. Default 120 000.
-    pub surface_samples: usize,
     /// Tolerance of the deviation map, mm; `None` (the default): no map.
     pub map_mm: Option<f64>,
 }
 
+with_settings!(AuditOptions, VerifySettings);
+
 impl Default for AuditOptions {
     fn default() -> Self {
         AuditOptions {
-            gouge_mm: 0.003,
+            settings: VerifySettings::default(),
             scallop_mm: None,
-            scallop_ratio: 1.05,
             turn_ratio: 1.25,
             stock_mm: 0.0,
-            resolution_mm: 0.0005,
-            clearance_resolution_mm: 0.005,
+            clearance_resolution_mm: CLEARANCE_RESOLUTION_MM,
             clearance_closely: false,
-            surface_samples: 120_000,
             map_mm: None,
         }
     }
@@ -170,8 +166,9 @@ fn can_judge(tool: &Tool, options: &AuditOptions) -> Result<()> {
         tool.ball_only("deviation maps are made")?;
     }
     let corner = tool.corner_mm();
-    if !(options.gouge_mm < corner) {
-        let what = format!("gouges of {} mm are allowed, the corner of the cutter is {corner} mm", options.gouge_mm);
+    let gouge_mm = options.settings.gouge_mm;
+    if !(gouge_mm < corner) {
+        let what = format!("gouges of {gouge_mm} mm are allowed, the corner of the cutter is {corner} mm");
         return Err(Error::usage(Stage::Verify, what).advise("allow less than the corner radius"));
     }
     Ok(())

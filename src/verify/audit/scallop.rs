@@ -43,7 +43,7 @@ pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
             turns: &scene.turns,
             is_helix: false,
             widest_mm: widest_mm(scene),
-            samples: scene.options.surface_samples,
+            samples: scene.options.settings.surface_samples as usize,
         };
         return ridges::heights(&passes, sweep);
     }
@@ -60,7 +60,7 @@ pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
         let up = lift(&scene.part, &s.point, &s.normal, radius, REACH_SLACK * widest);
         Some(Height { height_mm: raw.min((raw - up).max(0.0)), point: s.point, leg, gap_mm })
     };
-    let all = samples::near_path(&scene.part, sweep, reach, scene.options.surface_samples);
+    let all = samples::near_path(&scene.part, sweep, reach, scene.options.settings.surface_samples as usize);
     sorted(parallel::filter_map(&all.points, height))
 }
 
@@ -98,7 +98,7 @@ pub(super) fn checks(scene: &AuditScene, heights: &Heights) -> Vec<LineCheck> {
         passed: value <= ratio * asked,
     };
     let quantity = "99th percentile of the height left between passes".to_owned();
-    let whole = limit(CheckId::Scallop, quantity, p99.height_mm, scene.options.scallop_ratio);
+    let whole = limit(CheckId::Scallop, quantity, p99.height_mm, scene.options.settings.scallop_ratio);
     let note = format!(
         "{} places, highest {:.6}, median {:.6}; the place given is the highest{}",
         all.len(),

@@ -15,7 +15,7 @@ const ISO: Language = Language { grammar: Grammar::Gcode, programmed: Programmed
 fn run(text: &str, language: Language, zero: Zero) -> Result<Audit> {
     let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
     let bench = Bench { language, zero, tool: &tool, machine: &machine };
-    let options = AuditOptions { surface_samples: 2000, ..AuditOptions::default() };
+    let options = AuditOptions::default().with(|s| s.surface_samples = 2000);
     audit(text, &sample::blade(), &bench, &options, &Silent)
 }
 

@@ -85,12 +85,8 @@ impl Shop {
     }
 
     fn audit(&self, text: &str) -> Audit {
-        let options = AuditOptions {
-            scallop_mm: Some(SCALLOP_MM),
-            surface_samples: 8000,
-            gouge_mm: 0.004,
-            ..AuditOptions::default()
-        };
+        let options = AuditOptions { scallop_mm: Some(SCALLOP_MM), ..AuditOptions::default() }
+            .with(|s| (s.surface_samples, s.gouge_mm) = (8000, 0.004));
         audit(text, &self.blade, &self.bench(), &options, &Silent).unwrap()
     }
 

@@ -319,7 +319,7 @@ impl Bench {
 
     fn theirs(&self, text: &str) -> Result<Audit> {
         // Few long moves along a coarse part: what is planted is not a matter of micrometres.
-        let options = AuditOptions { surface_samples: 500, gouge_mm: 0.05, ..AuditOptions::default() };
+        let options = AuditOptions::default().with(|s| (s.surface_samples, s.gouge_mm) = (500, 0.05));
         audit(text, &self.shop.blade, &self.shop.bench(), &options, &crate::observe::Silent)
     }
 

@@ -116,7 +116,7 @@ fn a_wrong_coefficient_is_found_and_placed() {
     let inward = -m.pose(0.5, &tool, &machine).centre.coords;
     let inward = Vector::new(0.0, inward.y, inward.z).normalize() * 0.006 / -0.25;
     let text = planted(&planted(&good.text, line, "Y", 1, inward.y), line, "Z", 1, inward.z);
-    let options = AuditOptions { surface_samples: 500, gouge_mm: 0.004, ..AuditOptions::default() };
+    let options = AuditOptions::default().with(|s| (s.surface_samples, s.gouge_mm) = (500, 0.004));
     let look = |text: &str| audit(text, &blade, &bench(&good, &tool, &machine), &options, &Silent).unwrap();
     let gouge = |text: &str| look(text).checks.into_iter().find(|c| c.check.id == CheckId::Gouge).unwrap();
     let (before, after) = (gouge(&good.text), gouge(&text));
