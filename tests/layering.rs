@@ -50,14 +50,36 @@ fn allowed(room: &str) -> Option<&'static [&'static str]> {
     })
 }
 
-/// The rooms that may name a crate, or a part of the standard library; `None`: every room.
+/// Rooms that know files.
+const KNOW_FILES: &[&str] = &["files", "read", "run", "batch", "cli"];
+/// Methods that ask the file system, on whatever they are called, and functions of `std::path` that
+/// do.
+const ASK_FILES: [&str; 11] = [
+    "absolute",
+    "canonicalize",
+    "exists",
+    "is_dir",
+    "is_file",
+    "is_symlink",
+    "metadata",
+    "read_dir",
+    "read_link",
+    "symlink_metadata",
+    "try_exists",
+];
+
+/// The rooms that may name a crate, a part of the standard library or a method; `None`: every room.
 fn users(outside: &str) -> Option<&'static [&'static str]> {
     Some(match outside {
+        asks if ASK_FILES.contains(&asks) => KNOW_FILES,
+        // Where and how the program was called.
+        "env" | "process" | "net" => &["run", "batch", "cli", "main"],
         "clap" | "clap_complete" | "clap_mangen" | "indicatif" | "signal_hook" => &["cli"],
-        "fs" | "tempfile" => &["files", "read", "run", "batch", "cli"],
+        "fs" | "tempfile" => KNOW_FILES,
         // Loops go through `parallel`; the others make pools of threads.
         "rayon" => &["parallel", "geometry", "batch", "cli"],
-        "parquet" | "csv" | "glob" | "object_store" | "tokio" => &["batch", "make"],
+        "parquet" | "csv" | "glob" => &["batch", "make"],
+        "object_store" | "tokio" | "reqwest" | "rustls" => &["batch"],
         "step_io" => &["read", "make"],
         "tobj" => &["read"],
         "truck_modeling" => &["make"],
@@ -154,6 +176,8 @@ struct Named {
     line: usize,
     /// It begins with `::`, so with a crate.
     of_crates: bool,
+    /// It is the name of a method that is called.
+    is_method: bool,
     names: Vec<String>,
     alias: Option<String>,
     /// The modules within the file that it stands in.
@@ -162,7 +186,7 @@ struct Named {
 }
 
 /// All paths of a file: those of imports, one for each name in braces; those of more than one name;
-/// and names of attributes.
+/// names of attributes; and names of methods that are called.
 fn paths(tokens: &[Token]) -> Vec<Named> {
     let word = |k: usize| tokens.get(k).map_or("", |t| &t.1);
     let is_name = |k: usize| word(k).starts_with(|c: char| c.is_alphabetic() || c == '_');
@@ -192,6 +216,12 @@ fn paths(tokens: &[Token]) -> Vec<Named> {
         let first = if of_crates { k + 1 } else { k };
         let begins_list = in_use && word(first) == "{" && (of_crates || before(1) == "use");
         let begins = begins_list || (is_name(first) && (of_crates || !["::", "."].contains(&before(1))));
+        let is_method = before(1) == "." && is_name(k) && word(k + 1) == "(";
+        if is_method {
+            let (line, in_tests) = (tokens[k].0, inner.iter().any(|m| m.2));
+            let names = vec![word(k).to_owned()];
+            out.push(Named { line, of_crates: false, is_method, names, alias: None, inner: Vec::new(), in_tests });
+        }
         if !begins || word(k) == "use" || (word(k) == "crate" && before(1) == "extern") {
             k += 1;
             continue;
@@ -202,7 +232,7 @@ fn paths(tokens: &[Token]) -> Vec<Named> {
         for (names, alias) in found.into_iter().filter(|f| in_use || is_attribute || f.0.len() > 1) {
             let (line, in_tests) = (tokens[first].0, inner.iter().any(|m| m.2));
             let inner = inner.iter().map(|m| m.0.clone()).collect();
-            out.push(Named { line, of_crates, names, alias, inner, in_tests });
+            out.push(Named { line, of_crates, is_method: false, names, alias, inner, in_tests });
         }
     }
     out
@@ -280,7 +310,7 @@ fn place(path: &Named, module: &[String], known: &HashMap<String, Place>) -> Pla
             here.truncate(here.len().saturating_sub(up));
             Place::Ours([here, names.split_off(steps)].concat())
         }
-        _ if path.of_crates => Place::Outside(names),
+        _ if path.of_crates || path.is_method => Place::Outside(names),
         _ => match known.get(&first) {
             Some(Place::Ours(to)) => Place::Ours([to.clone(), names.split_off(1)].concat()),
             Some(Place::Outside(to)) => Place::Outside([to.clone(), names.split_off(1)].concat()),
@@ -321,9 +351,17 @@ fn against(module: &[&str], is_test: bool, text: &str) -> Vec<(usize, String)> {
             }
             Place::Outside(to) => {
                 let of_std = ["std", "core", "alloc"].contains(&to[0].as_str());
-                let name = if of_std { to.get(1).map_or("", String::as_str) } else { &to[0] };
-                let is_free =
-                    users(name).is_none_or(|rooms| rooms.contains(&room)) || (!path.of_crates && declares(name));
+                let last = to.last().map_or("", String::as_str);
+                let asks = of_std && to[1..].iter().any(|n| n == "path") && ASK_FILES.contains(&last);
+                let name = match of_std {
+                    _ if asks => last,
+                    true => to.get(1).map_or("", String::as_str),
+                    false => &to[0],
+                };
+                // A crate's name is not that of a method, nor the other way round.
+                let is_bound = path.is_method == ASK_FILES.contains(&name) || asks;
+                let declared = !path.of_crates && !path.is_method && declares(name);
+                let is_free = !is_bound || declared || users(name).is_none_or(|rooms| rooms.contains(&room));
                 if !(is_free || is_test || path.in_tests) {
                     found.push((path.line, name.to_owned()));
                 }
@@ -466,8 +504,45 @@ fn a_crate_that_is_planted_is_found() {
         assert!(found("verify", text).starts_with("1 fs"), "{text}");
         assert_eq!(found("run", text), "", "{text}");
     }
+    for krate in ["reqwest", "rustls", "object_store", "tokio"] {
+        assert_eq!(found("make", &format!("use {krate}::Client;")), format!("1 {krate}"));
+        assert_eq!(found("batch", &format!("use {krate}::Client;")), "");
+    }
     assert_eq!(found("channel", "use crate::read;\n// clap::Parser\nfn f() { super::gltf::y(); }"), "1 read, 3 gltf");
     assert_eq!(found("section", "mod csv;\nfn f() { csv::y(); self::csv::z(); }"), "");
     assert_eq!(found("geometry", "fn f() {}\n#[cfg(test)]\nmod tests {\n    use std::fs::read;\n}"), "");
     assert_eq!(found("geometry", "#[cfg(test)]\nmod tests;\nuse std::fs::read;"), "3 fs");
+}
+
+/// A room that asks for files or for its surroundings without naming `std::fs`.
+#[test]
+fn a_look_at_files_that_is_planted_is_found() {
+    for (text, name) in [
+        ("fn f(p: &Path) -> bool { p.exists() }", "exists"),
+        ("fn f(p: &Path) -> bool { p.try_exists().is_ok() }", "try_exists"),
+        ("fn f(p: &Path) -> bool { p.join(name).is_file() }", "is_file"),
+        ("fn f(p: &Path) -> bool { p . /* not a folder */ is_dir ( ) }", "is_dir"),
+        ("fn f(p: &Path) -> bool { p.is_symlink() }", "is_symlink"),
+        ("fn f(p: &Path) -> u64 { p.metadata()?.len() }", "metadata"),
+        ("fn f(p: &Path) -> u64 { p.symlink_metadata()?.len() }", "symlink_metadata"),
+        ("fn f(p: &Path) { for e in p.read_dir()? {} }", "read_dir"),
+        ("fn f(p: &Path) { p.read_link()?; }", "read_link"),
+        ("fn f(p: &Path) { Path::new(\".\").canonicalize()?; }", "canonicalize"),
+        ("fn f(p: &Path) { std::path::absolute(p)?; }", "absolute"),
+        ("use std::path::absolute;", "absolute"),
+        ("use std::path::{PathBuf, absolute as whole};", "absolute"),
+        ("use std::path; fn f() { path::absolute(p)?; }", "absolute"),
+        ("fn f(all: &[PathBuf]) { all.iter().filter(std::path::Path::exists); }", "exists"),
+        ("use std::path::Path; fn f() { all.filter(|p| Path::is_file(p)); }", "is_file"),
+        ("fn f() { std::env::current_dir()?; }", "env"),
+        ("fn f() { std::env::var(\"HOME\")?; }", "env"),
+        ("use std::env; fn f() { env::args(); }", "env"),
+        ("fn f() { std::process::Command::new(\"ls\"); }", "process"),
+    ] {
+        assert_eq!(found("job", text), format!("1 {name}"), "{text}");
+        assert_eq!(found("run", text), "", "{text}");
+    }
+    let innocent = "use std::path::Path; struct A { exists: bool } fn exists() {} fn f(a: &A, p: &Path) -> bool { a.exists && exists() && p.file_name().is_some() && env!(\"A\").is_empty() && x.path().csv() }";
+    assert_eq!(found("job", innocent), "");
+    assert_eq!(found("job", "#[cfg(test)]\nmod tests {\n    fn f() { p.is_file(); std::env::var(x); }\n}"), "");
 }

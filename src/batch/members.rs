@@ -70,7 +70,7 @@ fn members(file: &FamilyFile, base: &Path) -> Result<Vec<Member>> {
         overridden(&mut all, change)?;
     }
     for m in &mut all {
-        m.job = absolute(std::mem::take(&mut m.job), base);
+        m.job = inputs::absolute(std::mem::take(&mut m.job), base);
         if let BladeSource::Design(d) = &mut m.source {
             if !m.blade.is_empty() {
                 d.name = m
@@ -94,12 +94,12 @@ fn template(file: &FamilyFile, base: &Path) -> Result<JobFile> {
     let mut of_file = JobFile::default();
     if let Some(name) = &file.job {
         let path = base.join(name);
-        of_file = absolute(inputs::job(&path)?, path.parent().unwrap_or(base));
+        of_file = inputs::absolute(inputs::job(&path)?, path.parent().unwrap_or(base));
     }
     let Some(keys) = &file.template else { return Ok(of_file) };
     let value = |j: &JobFile| to_value(j).map_err(|e| usage(format!("the template job: {e}")));
     let mut root = value(&of_file)?;
-    overlay(&mut root, value(&absolute(keys.clone(), base))?);
+    overlay(&mut root, value(&inputs::absolute(keys.clone(), base))?);
     from_value(&root).map_err(|e| usage(format!("the template job: {e}")))
 }
 
@@ -117,15 +117,6 @@ fn overlay(under: &mut toml::Value, over: toml::Value) {
         }
         (a, b) => *a = b,
     }
-}
-
-/// Relative paths of a job from `base`.
-fn absolute(mut job: JobFile, base: &Path) -> JobFile {
-    for file in job.files_mut() {
-        let joined = base.join(&*file);
-        *file = std::path::absolute(&joined).unwrap_or(joined).to_string_lossy().into_owned();
-    }
-    job
 }
 
 /// What ranges multiply: models, rows of the table, the design, or the template's model.

@@ -39,24 +39,24 @@ pub struct Draft {
     base_dir: PathBuf,
 }
 
-/// Settles what does not depend on the blade. Relative paths are taken from `base_dir`: the folder
-/// of the job file, or the working folder.
+/// Settles what does not depend on the blade. Relative paths are taken from `base_dir`, the folder
+/// of the job file; where that is relative too, so they stay: [`crate::run::inputs::draft`] makes
+/// them absolute before.
 ///
 /// # Errors
 /// `Usage` when the model is missing or a value that the reading of the model needs lies outside
 /// its limits.
 pub fn resolve(typed: JobFile, base_dir: &Path) -> Result<Draft> {
-    let absolute = |file: &Path| std::path::absolute(base_dir.join(file)).unwrap_or_else(|_| base_dir.join(file));
     let model = ModelSettings::default().with_typed(typed.model.clone());
     if model.file.as_os_str().is_empty() {
         return Err(Error::usage(Stage::Job, "model.file is missing: which blade is to be machined?")
             .advise("name a STEP, IGES, OBJ, STL, PLY or glTF file, or a table of sections"));
     }
-    let model = ModelSettings { file: absolute(&model.file), ..model };
+    let model = ModelSettings { file: base_dir.join(&model.file), ..model };
     model.check(Stage::Job)?;
     early_checks(&typed)?;
-    let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_ref()).map(|f| absolute(f.as_ref()));
-    let post_files = typed.post.iter().flat_map(|p| p.files.iter().flatten()).map(|f| absolute(f.as_ref())).collect();
+    let machine_file = typed.machine.as_ref().and_then(|m| m.file.as_ref()).map(|f| base_dir.join(f));
+    let post_files = typed.post.iter().flat_map(|p| p.files.iter().flatten()).map(|f| base_dir.join(f)).collect();
     let base_dir = base_dir.to_path_buf();
     Ok(Draft { typed, model, machine_file, post_files, model_saved_as: None, base_dir })
 }
@@ -98,11 +98,11 @@ impl Draft {
     pub fn model(&self) -> &ModelSettings {
         &self.model
     }
-    /// The machine file, absolute; `None`: the built-in demo machine.
+    /// The machine file; `None`: the built-in demo machine.
     pub fn machine_file(&self) -> Option<&Path> {
         self.machine_file.as_deref()
     }
-    /// Own post files, absolute.
+    /// Own post files.
     pub fn post_files(&self) -> &[PathBuf] {
         &self.post_files
     }
@@ -214,8 +214,7 @@ impl Draft {
         if body.file.as_os_str().is_empty() {
             return Err(Error::usage(Stage::Job, format!("{section}.file is missing: which body is in the way?")));
         }
-        let file = self.base_dir.join(&body.file);
-        Ok(FixtureSettings { file: std::path::absolute(&file).unwrap_or(file), ..body })
+        Ok(FixtureSettings { file: self.base_dir.join(&body.file), ..body })
     }
 }
 

@@ -117,7 +117,7 @@ pub fn typed(input: &Path) -> Result<(JobFile, &Path)> {
 }
 
 /// Settles what does not depend on the blade, as [`job::resolve`] does, with the tool that the job
-/// names in a library.
+/// names in a library and with absolute paths.
 ///
 /// # Errors
 /// Those of [`job::resolve`]; `InputOutput` where the library cannot be read; `Usage` where the
@@ -129,7 +129,17 @@ pub fn draft(mut typed: JobFile, base_dir: &Path) -> Result<Draft> {
     if let Some(keys) = &mut typed.tool_2 {
         from_library(keys, base_dir, "tool_2")?;
     }
-    job::resolve(typed, base_dir)
+    job::resolve(absolute(typed, base_dir), base_dir)
+}
+
+/// Paths of a job from `base`, and that from the working folder where it is relative.
+pub(crate) fn absolute(mut job: JobFile, base: &Path) -> JobFile {
+    // A path that is left empty is missing, and is told as such.
+    for file in job.files_mut().filter(|f| !f.is_empty()) {
+        let joined = base.join(&*file);
+        *file = std::path::absolute(&joined).unwrap_or(joined).to_string_lossy().into_owned();
+    }
+    job
 }
 
 /// Puts the tool of a library where keys of a section are left out.
