@@ -95,6 +95,18 @@ impl Plan {
         Some(Stand { centre: at.centre, cone: self.toolpath.cone(location), theta })
     }
 
+    /// Least and greatest lean of the tool towards the tip along the path, rad: over the plane
+    /// square to the blade axis.
+    pub fn leans_rad(&self) -> [f64; 2] {
+        match self.toolpath.cones.same() {
+            Some(cone) if cone.is_about_blade() => [cone.lean_rad; 2],
+            _ => {
+                let leans = self.stands().into_iter().map(|s| s.axis().x.clamp(-1.0, 1.0).asin());
+                leans.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], lean| [least.min(lean), most.max(lean)])
+            }
+        }
+    }
+
     /// Where the tool stands at all locations.
     pub fn stands(&self) -> Vec<Stand> {
         (0..self.toolpath.locations.len()).filter_map(|k| self.stand(k)).collect()

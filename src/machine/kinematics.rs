@@ -161,7 +161,7 @@ impl Machine {
     /// From the gauge line to the axis that leans the tool, mm, for showing it; 0 where the part is
     /// not shown in its true place, or none leans it.
     pub fn shown_pivot_mm(&self) -> f64 {
-        let leaning = self.rotary().nth(1).filter(|_| self.table_about_x().is_some());
+        let leaning = self.leaning_axis().filter(|_| self.table_about_x().is_some());
         leaning.map_or(0.0, |k| self.head().along_tool_mm(&self.axes()[k].point))
     }
 

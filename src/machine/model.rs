@@ -45,6 +45,11 @@ impl Machine {
         self.heads[0].turning_axis()
     }
 
+    /// Column of the other rotary axis of the first head: the one that leans the tool.
+    pub fn leaning_axis(&self) -> Option<usize> {
+        self.rotary().nth(1)
+    }
+
     /// Columns of the first head's X, Y and Z.
     pub fn linear(&self) -> [usize; 3] {
         self.heads[0].linear()

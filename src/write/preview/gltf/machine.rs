@@ -65,10 +65,16 @@ pub(super) fn head(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
     let widest = scene.tool.holder.iter().map(|h| h.radius_mm).fold(scene.tool.shank_radius_mm, f64::max);
     let radius = 1.15 * widest;
     let spindle = revolved(glb, "machine", COLOUR, &cylinder(gauge, pivot + radius, radius))?;
-    let spindle = mesh_node(glb, "spindle", vec![spindle], json!({ "what": "from the gauge line to the pivot of B" }));
+    let leaning = scene.machine.leaning_axis().map(|k| scene.machine.axes()[k].name.as_str());
+    let what = leaning.map_or("schematic".into(), |name| format!("from the gauge line to the pivot of {name}"));
+    let spindle = mesh_node(glb, "spindle", vec![spindle], json!({ "what": what }));
+    let Some(name) = leaning else {
+        return Ok(group(glb, "head", vec![spindle], &json!({ "what": "the machine's head, schematic" })));
+    };
     let axle = revolved(glb, "machine", COLOUR, &cylinder(-1.6 * radius, 1.6 * radius, 0.5 * radius))?;
-    let axle = mesh_node(glb, "pivot of B", vec![axle], json!({ "axis": "B" }));
-    // The pivot's axle is across blade axis and tool axis: at θ = 0 that is the blade's z.
+    let axle = mesh_node(glb, &format!("pivot of {name}"), vec![axle], json!({ "axis": name }));
+    // The pivot's axle is across blade axis and tool axis: at θ = 0 that is the blade's z. It
+    // stands as where the path begins.
     let across = super::motion::lean(plan.toolpath.cone(0).lean_rad).inverse() * Vector::z();
     let q = UnitQuaternion::rotation_between(&Vector::z(), &across).unwrap_or_default();
     glb.place(axle, [0.0, 0.0, single(pivot)?], [single(q.i)?, single(q.j)?, single(q.k)?, single(q.w)?]);

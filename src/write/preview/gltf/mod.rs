@@ -198,7 +198,7 @@ fn built(scene: &Scene, detail: &Detail) -> Result<Vec<u8>> {
         rotation: Some(UnitQuaternion([-half, 0.0, 0.0, half])),
         extras: extras(&json!({
             "frame": "model frame of the CAD file, mm, below this node",
-            "head_angle_b_deg": scene.plan.map(|p| p.toolpath.cone(0).lean_rad.to_degrees()),
+            lean_key(scene): scene.plan.map(lean_deg),
             "ball_radius_mm": scene.tool.radius_mm,
             "machine": scene.machine.name,
             "figures": scene.figures,
@@ -206,6 +206,18 @@ fn built(scene: &Scene, detail: &Detail) -> Result<Vec<u8>> {
         ..empty_node()
     });
     glb.finish(root, animations)
+}
+
+/// Name of the lean: with that of the axis that makes it.
+fn lean_key(scene: &Scene) -> String {
+    let leaning = scene.machine.leaning_axis().map(|k| scene.machine.axes()[k].name.to_lowercase());
+    leaning.map_or_else(|| "lean_deg".into(), |axis| format!("head_angle_{axis}_deg"))
+}
+
+/// The tool's lean, degrees; the least and the greatest where it differs along the path.
+fn lean_deg(plan: &Plan) -> serde_json::Value {
+    let [least, most] = plan.leans_rad().map(f64::to_degrees);
+    if least == most { json!(least) } else { json!([least, most]) }
 }
 
 /// A node that holds others.

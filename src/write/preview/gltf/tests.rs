@@ -2,13 +2,18 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
+use crate::artifact::{Cone, Cones};
 use crate::geometry::{Point, Vector};
 use crate::sample;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 /// The scene of a plan, and of what else a run has.
 fn scene(plan: Option<&Plan>, options: &GltfOptions) -> Result<Vec<u8>> {
-    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    scene_on(&Machine::demo().unwrap(), plan, options)
+}
+
+fn scene_on(machine: &Machine, plan: Option<&Plan>, options: &GltfOptions) -> Result<Vec<u8>> {
+    let (blade, tool) = (sample::blade(), sample::tool());
     let (sections, mut checks) = (sample::sections(), sample::report());
     checks.uncut_cell_mm2 = 0.5;
     checks.uncut =
@@ -17,7 +22,7 @@ fn scene(plan: Option<&Plan>, options: &GltfOptions) -> Result<Vec<u8>> {
     gltf(&Scene {
         blade: &blade,
         tool: &tool,
-        machine: &machine,
+        machine,
         plan,
         sections: &sections,
         checks: Some(&checks),
@@ -289,4 +294,40 @@ fn odd_inputs_give_a_scene_or_an_error_and_no_panic() {
 fn the_same_input_gives_the_same_bytes() {
     let make = || scene(Some(&sample::plan(2, 30)), &GltfOptions::default()).unwrap();
     assert_eq!(make(), make());
+}
+
+/// The axis that leans the tool is called as the machine calls it, and the lean is a range where it
+/// differs along the path.
+#[test]
+fn the_head_has_the_name_of_its_axis_and_the_lean_its_range() {
+    let file = |text: &str| Machine::from_toml(text, "test").unwrap();
+    let fork = file(include_str!("../../../../models/machines/fork_head_ca.toml"));
+    let four = file(include_str!("../../../../models/machines/four_axis_a.toml"));
+    let one = sample::plan(1, 12);
+    let lean_deg = one.toolpath.cone(0).lean_rad.to_degrees();
+    let mut many = one.clone();
+    let last = (many.toolpath.locations.len() - 1) as f64;
+    let cone = |k: usize| Cone::about_blade(0.3 * k as f64 / last);
+    many.toolpath.cones = Cones::along((0..many.toolpath.locations.len()).map(cone).collect());
+    let range = [0.0, 0.3f64.to_degrees()];
+    for (machine, plan, key, pivot, lean) in [
+        (Machine::demo().unwrap(), &one, "head_angle_b_deg", Some("pivot of B"), json!(lean_deg)),
+        (fork, &one, "head_angle_a_deg", Some("pivot of A"), json!(lean_deg)),
+        (four, &one, "lean_deg", None, json!(lean_deg)),
+        (Machine::demo().unwrap(), &many, "head_angle_b_deg", Some("pivot of B"), json!(range)),
+    ] {
+        let (doc, _) = read(&scene_on(&machine, Some(plan), &GltfOptions::default()).unwrap());
+        let names: Vec<&str> = doc.nodes().filter_map(|n| n.name()).filter(|n| n.starts_with("pivot")).collect();
+        assert_eq!(names, Vec::from_iter(pivot));
+        let root = doc.nodes().find(|n| n.name().is_some_and(|n| n.ends_with("(model frame, mm)"))).unwrap();
+        let said: serde_json::Value = serde_json::from_str(root.extras().as_ref().unwrap().get()).unwrap();
+        let close =
+            |a: &serde_json::Value, b: &serde_json::Value| (a.as_f64().unwrap() - b.as_f64().unwrap()).abs() < 1e-9;
+        match (&said[key], &lean) {
+            (serde_json::Value::Array(found), serde_json::Value::Array(want)) => {
+                assert!(found.iter().zip(want).all(|(a, b)| close(a, b)), "{said}");
+            }
+            (found, want) => assert_eq!(found, want),
+        }
+    }
 }

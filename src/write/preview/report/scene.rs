@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::ReportInput;
 use super::pack::{self, DIGITS, Pack, TIME};
+use crate::artifact::Cone;
 use crate::error::Result;
 use crate::write::preview::gltf::{GltfOptions, Scene, gltf};
 use crate::write::preview::values;
@@ -79,6 +80,7 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
             json!({ "key": v.key, "name": v.name, "unit": v.unit, "range": v.range, "shown": v.shown, "of": of })
         })
         .collect();
+    let same = plan.toolpath.cones.same().filter(Cone::is_about_blade);
     let mut of = |digits: i32, f: &dyn Fn(usize) -> f64| pack.list(digits, picked.iter().map(|&i| f(i)));
     let mut out = json!({
         "x": of(DIGITS, &|i| locations[i].centre.x),
@@ -91,11 +93,11 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
         "min": of(LIMITS, &|i| plan.channel.rows[i].theta_min),
         "max": of(LIMITS, &|i| plan.channel.rows[i].theta_max),
         "row": of(0, &|i| i as f64),
-        "of": n, "b": plan.toolpath.cone(0).lean_rad, "turns": plan.toolpath.turns.len(),
+        "of": n, "b": same.map(|c| c.lean_rad), "turns": plan.toolpath.turns.len(),
         "quantities": quantities,
     });
     // Where one lean and θ do not say it: the tool axes themselves.
-    if plan.toolpath.cones.same().is_none_or(|c| !c.is_about_blade()) {
+    if same.is_none() {
         let axis = |i: usize| plan.toolpath.cone(i).tool_axis(plan.schedule.theta[i]);
         for (key, k) in [("ix", 0), ("iy", 1), ("iz", 2)] {
             out[key] = of(RADIANS, &|i| axis(i)[k]);

@@ -72,7 +72,14 @@ fn zero(input: &ReportInput) -> String {
         mount.along.map_or_else(|| "machine +X".into(), |along| format!("machine {}", vector(along)))
     );
     let obstacles: Vec<String> = input.obstacles.iter().map(|o| escape(&o.name)).collect();
-    let lean = input.plan.map(|p| number(p.toolpath.cone(0).lean_rad.to_degrees()).replace('-', "−"));
+    let lean = input.plan.map(|p| {
+        let [least, most] = p.leans_rad().map(f64::to_degrees);
+        if least == most {
+            format!("tool leans {}° towards the tip where the path begins", number(least)).replace('-', "−")
+        } else {
+            format!("tool leans {least:.1}° to {most:.1}° towards the tip along the path").replace('-', "−")
+        }
+    });
     list(
         "Zero point and clamping",
         &[
@@ -80,10 +87,7 @@ fn zero(input: &ReportInput) -> String {
             ("x, y there", format!("{}, {}; x runs from root to tip", column(0), column(1))),
             ("Zero, machine", format!("{} mm while {turning} = 0", vector(mount.offset_mm))),
             ("Clamped", clamped),
-            (
-                "Head",
-                lean.map(|b| format!("tool leans {b}° towards the tip where the path begins")).unwrap_or_default(),
-            ),
+            ("Head", lean.unwrap_or_default()),
             ("In the way", obstacles.join(", ")),
         ],
     )
