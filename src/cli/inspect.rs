@@ -3,7 +3,7 @@
 use super::args::{Faces, Inspect, Reading, RegionHeights};
 use super::out::{self, say, sayln};
 use super::progress::Terminal;
-use crate::error::{Error, Infeasible, Result};
+use crate::error::{Error, Result};
 use crate::pair;
 use crate::read::model::{self, ModelOptions, Survey};
 use crate::run;
@@ -36,14 +36,7 @@ pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
 
 /// How much of the airfoil has an opposite side.
 fn pairs(survey: &Survey, terminal: &Terminal) -> Result<()> {
-    let chord_mm = match &survey.found {
-        Ok(found) => found.chord_mm(),
-        Err(e) => {
-            let mut no_blade = Error::infeasible(e.stage, e.message.clone(), Infeasible::NoPairs);
-            no_blade.advice.clone_from(&e.advice);
-            return Err(no_blade);
-        }
-    };
+    let chord_mm = survey.found.as_ref().map_err(Error::again)?.chord_mm();
     let share = pair::share(&survey.part, &survey.areas(), chord_mm, terminal);
     terminal.finish();
     let share = share?;
