@@ -496,8 +496,8 @@ pub enum Infeasible {
     },
     /// The tool cannot come onto the path at a turn.
     TurnNotReached {
-        /// The turn, from 1.
-        turn: usize,
+        /// The turn, from 0.
+        turn: u32,
         /// What fails.
         missed: Vec<Missed>,
     },

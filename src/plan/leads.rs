@@ -85,7 +85,8 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
         missed.iter().map(|m| format!("{} {:.6}, limit {:.6}", m.check, m.worst, m.limit)).collect();
     let found = told.join("; ");
     let message = format!("the tool cannot come onto turn {turn} within the limits of the checks: {found}");
-    Err(Error::infeasible(Stage::Post, message, Infeasible::TurnNotReached { turn, missed })
+    let index = u32::try_from(turn - 1).unwrap_or(u32::MAX);
+    Err(Error::infeasible(Stage::Post, message, Infeasible::TurnNotReached { turn: index, missed })
         .advise("go on with another turn"))
 }
 
