@@ -28,6 +28,8 @@ pub type Affine = [f64; 4];
 pub struct AxisTravel {
     /// Its name in messages.
     pub name: String,
+    /// Its column among the machine's axes; `None`: the job limits the offset.
+    pub column: Option<usize>,
     /// Least and greatest position, mm.
     pub limits_mm: [f64; 2],
     /// Mean of its position over a turn, mm.
@@ -43,6 +45,7 @@ impl AxisTravel {
     pub fn of_offset(name: &str, limits_mm: [f64; 2]) -> Self {
         AxisTravel {
             name: name.into(),
+            column: None,
             limits_mm,
             mean: [0.0; 4],
             cos: [0.0, 0.0, 0.0, -1.0],

@@ -88,7 +88,14 @@ impl Machine {
                 [origin, (x - origin) / UNIT_MM, (y - origin) / UNIT_MM, (z - origin) / UNIT_MM]
             });
             let finite = [mean, cos, sin].as_flattened().iter().all(|v| v.is_finite());
-            finite.then(|| AxisTravel { name: format!("axis {}", axis.name), limits_mm, mean, cos, sin })
+            finite.then(|| AxisTravel {
+                name: format!("axis {}", axis.name),
+                column: Some(k),
+                limits_mm,
+                mean,
+                cos,
+                sin,
+            })
         };
         self.linear().into_iter().filter_map(one).collect()
     }

@@ -56,7 +56,8 @@ use planning::{Known, Reached};
 fn keeps_offset(job: &Job, machine: &Machine) -> Result<()> {
     let Some(missing) = machine.missing() else { return Ok(()) };
     let travels = machine.travels(job.machine.b_deg.to_radians(), job.tool.length_mm());
-    let stands = travels.iter().any(|t| t.name.ends_with(&missing.name) && t.as_offsets().is_some());
+    let is_missing = |t: &AxisTravel| t.column.is_some_and(|k| machine.axes()[k].is_missing);
+    let stands = travels.iter().any(|t| is_missing(t) && t.as_offsets().is_some());
     if job.orientation.kind.goes_round() && stands {
         return Ok(());
     }
