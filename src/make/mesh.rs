@@ -105,10 +105,10 @@ fn distinct(knots: &[f64]) -> Vec<f64> {
     k
 }
 
-/// The mesh and its greatest measured distance from the surfaces, mm.
-pub(super) fn mesh(solid: &Solid, patches: usize, deflection: f64) -> Result<(Mesh, f64)> {
+/// The mesh of a solid with so many airfoil patches and fillets, and its greatest measured distance
+/// from the surfaces, mm.
+pub(super) fn mesh(solid: &Solid, [patches, fillets]: [usize; 2], deflection: f64) -> Result<(Mesh, f64)> {
     let surfaces: Vec<&NurbsSurface> = solid.brep.faces.iter().map(|f| &f.surface).collect();
-    let fillets = if solid.brep.faces.get(patches).is_some_and(|f| f.name.starts_with("fillet")) { patches } else { 0 };
     let mut tolerance = 0.6 * deflection;
     for _ in 0..8 {
         let grid = Grid::new(surfaces[..patches].to_vec(), surfaces[patches..patches + fillets].to_vec(), tolerance);

@@ -71,8 +71,9 @@ pub fn build(design: &BladeDesign) -> Result<MadeBlade> {
     design.validate()?;
     let patches = ring::patches(design)?;
     let solid = assemble::assemble(design, &patches)?;
+    let fillets = patches.iter().filter(|p| p.fillet.is_some()).count();
     closed::truck_solid(&solid)?;
-    let (mesh, deflection_mm) = mesh::mesh(&solid, patches.len(), design.accuracy.deflection_mm)?;
+    let (mesh, deflection_mm) = mesh::mesh(&solid, [patches.len(), fillets], design.accuracy.deflection_mm)?;
     Ok(MadeBlade {
         name: design.name.clone(),
         brep: solid.brep,
