@@ -2,7 +2,7 @@
 //! programs.
 
 /// A place on the tool path.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct At {
     /// Index of the cutter location at or before it.
     pub location: usize,
@@ -17,7 +17,7 @@ pub struct At {
 }
 
 /// The frame that a point is in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Frame {
     /// That of the model's file.
@@ -27,7 +27,7 @@ pub enum Frame {
 }
 
 /// A point, and the frame that it is in.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Spot {
     /// The frame.
     pub frame: Frame,
@@ -36,7 +36,7 @@ pub struct Spot {
 }
 
 /// A place along the tool path, where the model is not known.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Along {
     /// Index of the cutter location at or before it.
     pub location: usize,
@@ -49,7 +49,7 @@ pub struct Along {
 }
 
 /// A check that failed, and by how much.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Missed {
     /// Name of the check.
     pub check: String,
@@ -60,7 +60,7 @@ pub struct Missed {
 }
 
 /// What ends the turns of a path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stopped {
     /// The wall leans too far.
@@ -90,7 +90,7 @@ pub enum Stopped {
 }
 
 /// What a plane section lacks.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "fault")]
 pub enum SectionFault {
     /// No loop at all.
@@ -107,7 +107,7 @@ pub enum SectionFault {
 }
 
 /// Why a design makes no blade.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "fault")]
 pub enum DesignFault {
     /// No ball of the fillet's radius fits between platform and airfoil.
@@ -146,7 +146,7 @@ pub enum DesignFault {
 }
 
 /// What ends the free angles of the tool axis.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "by")]
 pub enum Bound {
     /// A part of the tool against a face of the part.
@@ -175,7 +175,7 @@ pub enum Bound {
 }
 
 /// What happened.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "what")]
 pub enum Infeasible {
     /// No angle of the tool axis is free at a place.

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::Remark;
-use crate::error::turn_number;
+use crate::error::{Infeasible, turn_number};
 
 /// Surface that a ball does not go to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -157,6 +157,9 @@ pub enum Doubt {
         height_mm: f64,
         /// Why there is no channel farther down.
         reason: String,
+        /// The same as data.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        cause: Option<Box<Infeasible>>,
         /// What to do to go on.
         advice: String,
     },
@@ -395,7 +398,7 @@ impl fmt::Display for Doubt {
                 f,
                 "the helix ends at height {height_mm:.3} mm instead of region.end_mm = {asked_mm} mm: {reason}"
             ),
-            Doubt::HelixEndsAbove { height_mm, reason, advice } => {
+            Doubt::HelixEndsAbove { height_mm, reason, advice, .. } => {
                 write!(f, "the helix ends at height {height_mm:.3} mm, since farther down {reason}; to go on: {advice}")
             }
             Doubt::ChannelByExactFaces { proven } => write!(

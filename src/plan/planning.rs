@@ -237,6 +237,7 @@ pub(crate) fn channel_as_far_as_it_goes(
         cut = Some(Doubt::HelixEndsAbove {
             height_mm: end_mm,
             reason: toolpath.end_reason.to_string(),
+            cause: blocked.infeasible,
             advice: blocked.advice.unwrap_or_else(|| "another tool".into()),
         });
     }
