@@ -17,7 +17,7 @@ use serde_json::Value;
 
 mod reader;
 
-pub use reader::{from_toml, from_value, to_value};
+pub use reader::{Mismatch, TomlError, from_toml, from_value, to_value};
 
 use crate::error::{Error, Result, Stage};
 

@@ -32,7 +32,7 @@ fn below(job: &mut JobFile, above: &[String], settings: &Bound<'_, PyDict>) -> P
             bad(format!("{kind} is no value of a job file: numbers, texts, lists and dictionaries are"))
         })?;
         let keys: Vec<&str> = parts.iter().map(String::as_str).collect();
-        job.set_value(&keys, value).map_err(bad)?;
+        job.set_value(&keys, value).map_err(|fault| bad(fault.words))?;
     }
     Ok(())
 }

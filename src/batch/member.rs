@@ -48,7 +48,7 @@ pub(super) fn set(member: &mut Member, key: &str, value: &toml::Value) -> Result
         ("design" | "vary", BladeSource::Model(_)) => {
             return Err(wrong("the member's blade is a model file, not a design of the generator".into()));
         }
-        _ => member.job.set_value(&parts, value.clone()).map_err(wrong)?,
+        _ => member.job.set_value(&parts, value.clone()).map_err(|fault| wrong(fault.words))?,
     }
     let told = serde_json::to_value(value).map_err(|e| wrong(e.to_string()))?;
     member.parameters.insert(key.to_owned(), told);

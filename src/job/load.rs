@@ -5,7 +5,7 @@ use std::path::Path;
 use super::sections::ModelKeys;
 use super::typed::JobFile;
 use crate::error::{Error, Result, Stage};
-use crate::settings::{from_toml, from_value, to_value};
+use crate::settings::{Mismatch, TomlError, from_toml, from_value, to_value};
 
 /// Parses the text of a job file; `name` is used in messages.
 ///
@@ -43,18 +43,19 @@ impl JobFile {
             return Err(bad("the key is a section and a name, as path.scallop_mm".into()));
         }
         let (text, value) = (value.trim(), read_value(value.trim()));
-        let hint = |m: &str| match value {
-            toml::Value::Table(_) => None,
-            _ => list_hint(&keys, text, m).or_else(|| number_hint(text, m)),
+        let hint = |mismatch: Option<Mismatch>| match (mismatch?, &value) {
+            (_, toml::Value::Table(_)) => None,
+            (Mismatch::TableForList, _) => list_hint(&keys, text),
+            (Mismatch::TextForNumber, _) => Some(number_hint(text)),
         };
-        self.set_value(&keys, value.clone()).map_err(|m| bad(hint(&m).unwrap_or(m)))
+        self.set_value(&keys, value.clone()).map_err(|fault| bad(hint(fault.mismatch).unwrap_or(fault.words)))
     }
 
     /// Sets one key, given as the list of its parts, to a TOML value.
     ///
     /// # Errors
-    /// What is wrong, in words, without the key; the job is then unchanged.
-    pub fn set_value(&mut self, keys: &[&str], value: toml::Value) -> std::result::Result<(), String> {
+    /// What is wrong, without the key; the job is then unchanged.
+    pub fn set_value(&mut self, keys: &[&str], value: toml::Value) -> std::result::Result<(), TomlError> {
         let mut root = to_value(self)?;
         insert(&mut root, keys, value)?;
         *self = from_value(&root)?;
@@ -62,20 +63,15 @@ impl JobFile {
     }
 }
 
-/// What to type where an entry of a list is set without its number; `None` where something else is
-/// wrong.
-fn list_hint(keys: &[&str], text: &str, message: &str) -> Option<String> {
+/// What to type where an entry of a list is set without its number.
+fn list_hint(keys: &[&str], text: &str) -> Option<String> {
     let (last, list) = keys.split_last()?;
     let list = list.join(".");
-    (message == "a list is wanted, not a table")
-        .then(|| format!("{list} is a list: name its first entry by 0, as in --set {list}.0.{last}={text}"))
+    Some(format!("{list} is a list: name its first entry by 0, as in --set {list}.0.{last}={text}"))
 }
 
-/// What is wrong with a text where a number is wanted; `None` where something else is wrong.
-fn number_hint(text: &str, message: &str) -> Option<String> {
-    if !(message.contains("number") && message.contains("is wanted, not the text")) {
-        return None;
-    }
+/// What is wrong with a text where a number is wanted.
+fn number_hint(text: &str) -> String {
     let point = text.replacen(',', ".", 1);
     let bare = text.trim_end_matches(|c: char| c.is_alphabetic() || "°%²³/ ".contains(c));
     let digit_before_point = bare.replacen('.', "0.", 1);
@@ -89,7 +85,7 @@ fn number_hint(text: &str, message: &str) -> Option<String> {
     } else {
         String::new()
     };
-    Some(format!("`{text}` is not a number{hint}"))
+    format!("`{text}` is not a number{hint}")
 }
 
 /// The text as a TOML value, or as a plain text where it is none.

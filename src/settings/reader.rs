@@ -7,7 +7,8 @@
 
 use serde::Serialize;
 use serde::de::{
-    DeserializeOwned, DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess, Unexpected, Visitor,
+    DeserializeOwned, DeserializeSeed, Deserializer, Error, Expected, IntoDeserializer, MapAccess, SeqAccess,
+    Unexpected, Visitor,
 };
 use toml::Spanned;
 use toml::de::{DeFloat, DeInteger, DeString, DeTable, DeValue};
@@ -20,6 +21,42 @@ pub struct TomlError {
     pub words: String,
     /// The line, from 1, where the fault has one.
     pub line: Option<usize>,
+    /// The value is of another type than is wanted.
+    pub mismatch: Option<Mismatch>,
+}
+
+/// Types that are often taken for one another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mismatch {
+    /// A list is wanted, not a table.
+    TableForList,
+    /// A number is wanted, not a text.
+    TextForNumber,
+}
+
+impl Mismatch {
+    /// That of a value that was found; `wanted` is how the library calls what is wanted.
+    fn of(found: &Unexpected, wanted: &str) -> Option<Self> {
+        match (found, wanted) {
+            (Unexpected::Map, "a sequence") => Some(Mismatch::TableForList),
+            (Unexpected::Str(_), "f64" | "i32" | "i64" | "u8" | "u16" | "u32" | "u64" | "usize") => {
+                Some(Mismatch::TextForNumber)
+            }
+            _ => None,
+        }
+    }
+}
+
+impl From<String> for TomlError {
+    fn from(words: String) -> Self {
+        TomlError { words, line: None, mismatch: None }
+    }
+}
+
+impl From<TomlError> for String {
+    fn from(fault: TomlError) -> Self {
+        fault.words
+    }
 }
 
 /// What a TOML text says.
@@ -30,16 +67,17 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, TomlError> {
     table(text).and_then(T::deserialize).map_err(|fault| TomlError {
         words: super::plain(&fault.message.trim().replace('\n', " ")),
         line: fault.at.map(|at| text.get(..at).unwrap_or(text).matches('\n').count() + 1),
+        mismatch: fault.mismatch,
     })
 }
 
 /// What a table of TOML values says.
 ///
 /// # Errors
-/// In words: a key is unknown or missing, a value is of another type.
-pub fn from_value<T: DeserializeOwned>(table: &toml::Value) -> Result<T, String> {
+/// Without a line: a key is unknown or missing, a value is of another type.
+pub fn from_value<T: DeserializeOwned>(table: &toml::Value) -> Result<T, TomlError> {
     let text = toml::to_string(table).map_err(|e| e.to_string())?;
-    from_toml(&text).map_err(|e| e.words)
+    from_toml(&text).map_err(|e| TomlError { line: None, ..e })
 }
 
 /// What is written in TOML as a table, as values.
@@ -57,7 +95,7 @@ fn table(text: &str) -> Result<Reader<'_>, Fault> {
             let at = table.span().start;
             Ok(Reader { value: DeValue::Table(table.into_inner()), at })
         }
-        Err(e) => Err(Fault { message: e.message().to_owned(), at: e.span().map(|s| s.start) }),
+        Err(e) => Err(Fault { at: e.span().map(|s| s.start), ..Fault::custom(e.message()) }),
     }
 }
 
@@ -66,6 +104,7 @@ fn table(text: &str) -> Result<Reader<'_>, Fault> {
 struct Fault {
     message: String,
     at: Option<usize>,
+    mismatch: Option<Mismatch>,
 }
 
 impl Fault {
@@ -86,7 +125,13 @@ impl std::error::Error for Fault {}
 
 impl Error for Fault {
     fn custom<M: std::fmt::Display>(message: M) -> Self {
-        Fault { message: message.to_string(), at: None }
+        Fault { message: message.to_string(), at: None, mismatch: None }
+    }
+
+    fn invalid_type(found: Unexpected, wanted: &dyn Expected) -> Self {
+        let wanted = wanted.to_string();
+        let message = format!("invalid type: {found}, expected {wanted}");
+        Fault { mismatch: Mismatch::of(&found, &wanted), ..Self::custom(message) }
     }
 }
 
@@ -352,6 +397,12 @@ mod tests {
         let mut value = to_value(&all).unwrap();
         assert_eq!(from_value::<All>(&value).unwrap(), all);
         value["number"] = toml::Value::Boolean(true);
-        assert_eq!(from_value::<All>(&value).unwrap_err(), "a number is wanted, not true");
+        assert_eq!(from_value::<All>(&value).unwrap_err().words, "a number is wanted, not true");
+        value["number"] = toml::Value::String("2".into());
+        let fault = from_value::<All>(&value).unwrap_err();
+        assert_eq!((fault.line, fault.mismatch), (None, Some(Mismatch::TextForNumber)));
+        value["number"] = toml::Value::Integer(2);
+        value["links"] = value["links"][0].clone();
+        assert_eq!(from_value::<All>(&value).unwrap_err().mismatch, Some(Mismatch::TableForList));
     }
 }

@@ -109,7 +109,7 @@ impl Tool {
             Some(_) => return Err(bad("`tool` is not a table")),
             None => table.into(),
         };
-        let mut tool: Tool = from_value(&own).map_err(|e| bad(&e))?;
+        let mut tool: Tool = from_value(&own).map_err(|e| bad(&e.words))?;
         // A corner as round as the cutter is a ball.
         tool.corner_radius_mm = tool.corner_radius_mm.filter(|r| *r != tool.radius_mm);
         tool.validate()?;
