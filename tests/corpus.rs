@@ -417,7 +417,7 @@ fn sides_apart(table: &Blade, other: &Blade, turn: impl Fn(Point) -> Point) -> V
     let mesh = &table.part.mesh;
     let mut on_side = vec![false; mesh.points.len()];
     for (t, face) in mesh.triangles.iter().zip(&mesh.face_of) {
-        let side = !faces[*face as usize].name.contains("cap");
+        let side = !faces[*face as usize].name.own().contains("cap");
         t.iter().for_each(|v| on_side[*v as usize] |= side);
     }
     let to_other = other.model_from_blade.inverse();

@@ -54,11 +54,57 @@ pub struct Coedge {
     pub reversed: bool,
 }
 
+/// What a face is called.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FaceName {
+    /// By its number in its file, from 1.
+    Numbered(usize),
+    /// The same, with the name that the file gives it.
+    Given(usize, String),
+    /// The same, with the line of the file's directory that it has.
+    Listed(usize, usize),
+    /// By a name alone; empty where it has none.
+    Own(String),
+}
+
+impl FaceName {
+    /// Its name without a number; empty where it has none.
+    pub fn own(&self) -> &str {
+        match self {
+            FaceName::Given(_, own) | FaceName::Own(own) => own,
+            FaceName::Numbered(_) | FaceName::Listed(..) => "",
+        }
+    }
+}
+
+impl std::fmt::Display for FaceName {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            FaceName::Numbered(number) => write!(f, "face {number}"),
+            FaceName::Given(number, own) => write!(f, "face {number} \"{own}\""),
+            FaceName::Listed(number, line) => write!(f, "face {number} (D{line})"),
+            FaceName::Own(own) => f.write_str(own),
+        }
+    }
+}
+
+impl From<&str> for FaceName {
+    fn from(own: &str) -> Self {
+        FaceName::Own(own.to_owned())
+    }
+}
+
+impl From<String> for FaceName {
+    fn from(own: String) -> Self {
+        FaceName::Own(own)
+    }
+}
+
 /// A trimmed face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
-    /// Name or number in the file, for messages (`#123`).
-    pub name: String,
+    /// Name or number in the file, for messages.
+    pub name: FaceName,
     /// What it was in the file.
     pub kind: SurfaceKind,
     /// Its surface.

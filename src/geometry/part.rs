@@ -3,7 +3,7 @@
 
 use std::sync::OnceLock;
 
-use super::brep::Brep;
+use super::brep::{Brep, Face, FaceName};
 use super::bvh::MeshBvh;
 use super::exact::Exact;
 use super::exact::fine::Fine;
@@ -81,10 +81,9 @@ impl Part {
     /// from 1.
     pub fn face_name(&self, face: u32) -> String {
         match self.brep.as_ref().and_then(|b| b.faces.get(face as usize)) {
-            // A face without a name of its own is called so already.
-            Some(f) if f.name.starts_with("face ") => f.name.clone(),
-            Some(f) if f.name.is_empty() => format!("face {}", face + 1),
-            Some(f) => format!("face {}", f.name),
+            Some(Face { name: FaceName::Own(own), .. }) if own.is_empty() => format!("face {}", face + 1),
+            Some(Face { name: FaceName::Own(own), .. }) => format!("face {own}"),
+            Some(f) => f.name.to_string(),
             None => format!("group {}", face + 1),
         }
     }
@@ -377,7 +376,7 @@ fn on_own_threads<T: Send>(work: impl FnOnce() -> T + Send) -> Option<T> {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::geometry::brep::{Face, SurfaceKind};
+    use crate::geometry::brep::SurfaceKind;
     use crate::geometry::nurbs::shapes;
     use crate::observe::Silent;
     use proptest::prelude::*;
@@ -415,7 +414,8 @@ mod tests {
     #[test]
     fn many_threads_may_ask_for_the_sharper_part() {
         let surface = shapes::torus(15.0, 4.0);
-        let face = Face { name: "face 1".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
+        let face =
+            Face { name: FaceName::Numbered(1), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
         let brep = Brep { faces: vec![face], edges: vec![] };
         let (told, ended) = std::sync::mpsc::channel();
         std::thread::spawn(move || {

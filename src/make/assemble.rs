@@ -9,7 +9,7 @@ use nalgebra::Vector4;
 use super::design::{BladeDesign, PlatformDesign};
 use super::ring::RingPatch;
 use crate::error::{Error, Result, Stage};
-use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
+use crate::geometry::brep::{Brep, Coedge, Edge, Face, FaceName, SurfaceKind};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 use crate::geometry::{Point, Vector};
 
@@ -73,13 +73,13 @@ impl Solid {
         self.curve(NurbsCurve { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], points }, [a, b])
     }
 
-    fn face(&mut self, name: impl Into<String>, kind: SurfaceKind, surface: NurbsSurface, loops: Vec<Vec<Coedge>>) {
+    fn face(&mut self, name: impl Into<FaceName>, kind: SurfaceKind, surface: NurbsSurface, loops: Vec<Vec<Coedge>>) {
         self.brep.faces.push(Face { name: name.into(), kind, surface, reversed: false, loops });
     }
 
     /// A flat face: the bilinear rectangle around its loops, with the normal that its outer loop
     /// turns about.
-    fn flat(&mut self, name: impl Into<String>, loops: Vec<Vec<Coedge>>) {
+    fn flat(&mut self, name: impl Into<FaceName>, loops: Vec<Vec<Coedge>>) {
         let outline: Vec<Point> = loops.first().into_iter().flatten().flat_map(|c| self.polygon(c)).collect();
         let curved = loops.iter().flatten().any(|c| self.brep.edges[c.edge].curve.degree > 1);
         let surface = rectangle(&outline, if curved && loops.len() == 1 { 0.02 } else { 0.0 });

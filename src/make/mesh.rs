@@ -275,8 +275,8 @@ impl<'a> Maker<'a> {
         let (eu, ev) = (s.point(1.0, 0.0) - origin, s.point(0.0, 1.0) - origin);
         let (lu, lv) = (eu.norm(), ev.norm());
         let failed = || {
-            let name = &self.solid.brep.faces[face].name;
-            let fault = DesignFault::FaceCrossesItself { face: name.clone() };
+            let name = self.solid.brep.faces[face].name.own();
+            let fault = DesignFault::FaceCrossesItself { face: name.to_owned() };
             let message = format!("the face '{name}' crosses itself and cannot be meshed");
             Error::infeasible(Stage::Make, message, Infeasible::Design { fault })
                 .advise("check thickness, edge radii and fillet radius against the chord")

@@ -33,7 +33,7 @@ fn free_form_presets() -> [BladeDesign; 3] {
 }
 
 fn surfaces<'a>(b: &'a MadeBlade, names: &str) -> Vec<&'a NurbsSurface> {
-    let chosen = |f: &&Face| f.name.contains("side") && f.name.starts_with("fillet") == (names == "fillet");
+    let chosen = |f: &&Face| f.name.own().contains("side") && f.name.own().starts_with("fillet") == (names == "fillet");
     b.brep.faces.iter().filter(chosen).map(|f| &f.surface).collect()
 }
 
@@ -174,15 +174,15 @@ fn prism_has_its_closed_forms() {
     let (radius, half, r, height) = (10.0, 20.0, 6.0, 80.0);
     // Distance from the stadium's axis, for points on the prism above the platform.
     let reach = |p: &Point| (p.x.abs() - half).max(0.0).hypot(p.y);
-    for f in b.brep.faces.iter().filter(|f| f.name.ends_with("side") || f.name.ends_with("end")) {
+    for f in b.brep.faces.iter().filter(|f| f.name.own().ends_with("side") || f.name.own().ends_with("end")) {
         let [[a, z], _] = f.surface.domain();
         for i in 0..=20 {
             for j in 0..=20 {
                 let p = f.surface.point(a + (z - a) * i as f64 / 20.0, j as f64 / 20.0);
-                if f.name.starts_with("fillet") {
+                if f.name.own().starts_with("fillet") {
                     let to_spine = (reach(&p) - radius - r).hypot(p.z - r);
                     assert!((to_spine - r).abs() < 1e-12, "{}", f.name);
-                } else if !f.name.starts_with("platform") && !f.name.starts_with("root") {
+                } else if !f.name.own().starts_with("platform") && !f.name.own().starts_with("root") {
                     assert!((reach(&p) - radius).abs() < 1e-12, "{}", f.name);
                 }
             }
@@ -207,7 +207,7 @@ fn circle_and_sharp_corner_are_prisms_too() {
     d.prism = Some(PrismDesign { length_mm: 20.0, width_mm: 20.0, stagger_deg: 30.0 });
     let b = build(&d).unwrap();
     assert_watertight(&b);
-    assert_eq!(b.brep.faces.iter().filter(|f| f.name.ends_with("end")).count(), 4);
+    assert_eq!(b.brep.faces.iter().filter(|f| f.name.own().ends_with("end")).count(), 4);
     d.fillet_radius_mm = 0.0;
     d.accuracy.deflection_mm = 0.001;
     let b = build(&d).unwrap();

@@ -100,7 +100,7 @@ pub fn obj_text(blade: &MadeBlade) -> String {
         of_face.entry(mesh.face(t)).or_default().push(*corners);
     }
     for (face, triangles) in of_face {
-        let name = blade.brep.faces.get(face as usize).map_or("face", |f| f.name.as_str());
+        let name = blade.brep.faces.get(face as usize).map_or("face", |f| f.name.own());
         let _ = writeln!(s, "g {}", name.replace(' ', "_"));
         for [a, b, c] in triangles {
             let _ = writeln!(s, "f {} {} {}", a + 1, b + 1, c + 1);

@@ -114,7 +114,7 @@ impl Tool {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::geometry::brep::{Brep, Face, SurfaceKind};
+    use crate::geometry::brep::{Brep, Face, FaceName, SurfaceKind};
     use crate::geometry::exact::tests::block;
     use crate::geometry::nurbs::NurbsSurface;
     use crate::geometry::nurbs::shapes::{cone, cylinder, sphere, torus};
@@ -136,7 +136,8 @@ mod tests {
     }
 
     fn sheet(surface: NurbsSurface) -> Part {
-        let face = Face { name: "face 1".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
+        let face =
+            Face { name: FaceName::Numbered(1), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
         Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.05, &Silent).unwrap()
     }
 

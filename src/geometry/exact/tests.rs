@@ -4,7 +4,7 @@ use nalgebra::Vector4;
 use super::Exact;
 use super::search::counted;
 
-use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
+use crate::geometry::brep::{Brep, Coedge, Edge, Face, FaceName, SurfaceKind};
 use crate::geometry::mesh::topology;
 use crate::geometry::nurbs::shapes::{cone, cylinder, loft, sphere, torus};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
@@ -15,7 +15,8 @@ use crate::observe::Silent;
 
 /// A part of one face without loops.
 fn part(surface: NurbsSurface, deflection_mm: f64) -> Part {
-    let face = Face { name: "face 1".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
+    let face =
+        Face { name: FaceName::Numbered(1), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
     Part::from_brep(Brep { faces: vec![face], edges: vec![] }, deflection_mm, &Silent).unwrap()
 }
 

@@ -1,6 +1,6 @@
 #![allow(clippy::unwrap_used)]
 use super::*;
-use crate::geometry::brep::{Brep, Face, SurfaceKind};
+use crate::geometry::brep::{Brep, Face, FaceName, SurfaceKind};
 use crate::geometry::exact::tests::{block, can};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::nurbs::NurbsSurface;
@@ -11,7 +11,8 @@ use crate::observe::Silent;
 const TOLERANCE_MM: f64 = 1e-5;
 
 fn sheet(surface: NurbsSurface) -> Part {
-    let face = Face { name: "face 1".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
+    let face =
+        Face { name: FaceName::Numbered(1), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
     Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.05, &Silent).unwrap()
 }
 

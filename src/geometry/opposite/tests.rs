@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::geometry::Rigid;
-use crate::geometry::brep::{Brep, Face, SurfaceKind};
+use crate::geometry::brep::{Brep, Face, FaceName, SurfaceKind};
 use crate::geometry::exact::tests::block;
 use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::shapes::{cone, cylinder};
@@ -14,7 +14,7 @@ use crate::observe::Silent;
 
 fn part_of(surfaces: Vec<(NurbsSurface, bool)>) -> Part {
     let face = |(k, (surface, reversed)): (usize, (NurbsSurface, bool))| Face {
-        name: format!("face {k}"),
+        name: FaceName::Numbered(k),
         kind: SurfaceKind::BSpline,
         surface,
         reversed,

@@ -2,13 +2,14 @@
 use std::f64::consts::TAU;
 
 use super::*;
-use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
+use crate::geometry::brep::{Brep, Coedge, Edge, Face, FaceName, SurfaceKind};
 use crate::geometry::nurbs::shapes::{cylinder, sphere, torus};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 use crate::observe::Silent;
 
 fn one_face(surface: NurbsSurface) -> Brep {
-    let face = Face { name: "face 1".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
+    let face =
+        Face { name: FaceName::Numbered(1), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
     Brep { faces: vec![face], edges: vec![] }
 }
 

@@ -11,6 +11,7 @@ use super::survey::{Bladed, Survey};
 use crate::artifact::blade::Diagnosis;
 use crate::artifact::region::{Area, Patch, Region, of_faces};
 use crate::error::Error;
+use crate::geometry::brep::FaceName;
 
 /// Openings that are listed.
 const OPENINGS: usize = 5;
@@ -245,7 +246,6 @@ fn regions(survey: &Survey) -> Vec<String> {
 
 /// Number of a face, with its name where it has one of its own.
 fn named(survey: &Survey, number: u32) -> String {
-    let name = survey.face_names.get(number as usize - 1).map_or("", String::as_str);
-    let own = if name.starts_with("face ") { name.split('"').nth(1).unwrap_or("") } else { name };
+    let own = survey.face_names.get(number as usize - 1).map_or("", FaceName::own);
     if own.is_empty() { number.to_string() } else { format!("{number} \"{own}\"") }
 }

@@ -62,7 +62,7 @@ impl Published {
             };
             let (moved_mm, point) = moved(&original, face, sewn, &sewn.faces[j], &boxes);
             if moved_mm > out.moved_mm {
-                (out.moved_mm, out.moved_at) = (moved_mm, point.map(|p| (face.name.clone(), p)));
+                (out.moved_mm, out.moved_at) = (moved_mm, point.map(|p| (face.name.to_string(), p)));
             }
             if moved_mm > MOVED_MM {
                 changed.push((face, Some(j as u32)));
@@ -131,7 +131,7 @@ impl Published {
                 let alone = Brep { faces: vec![face.clone()], edges: whole.edges.clone() };
                 let good = Part::meshed(alone, deflection_mm, observer).is_ok();
                 if !good {
-                    without.push(face.name.clone());
+                    without.push(face.name.to_string());
                 }
                 keep.push(good);
             }
@@ -147,7 +147,7 @@ impl Published {
             Ok(part) => Ok(Prepared { part: Some(part), of, without }),
             Err(e) if e.kind == ErrorKind::Cancelled => Err(e),
             Err(_) => {
-                Ok(Prepared { part: None, of, without: self.brep.faces.iter().map(|f| f.name.clone()).collect() })
+                Ok(Prepared { part: None, of, without: self.brep.faces.iter().map(|f| f.name.to_string()).collect() })
             }
         }
     }

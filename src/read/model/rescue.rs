@@ -79,7 +79,7 @@ pub fn part(original: Brep, deflection_mm: f64, sew_mm: &[f64], observer: &dyn O
         let natural = Face { loops: Vec::new(), ..brep.faces[k].clone() };
         let follows = along_boundary(&brep, &brep.faces[k]);
         if follows && Part::meshed(alone(&brep, natural.clone()), deflection_mm, observer).is_ok() {
-            out.notes.push(Remark::Untrimmed { face: natural.name.clone(), reason: e.message });
+            out.notes.push(Remark::Untrimmed { face: natural.name.to_string(), reason: e.message });
             brep.faces[k] = natural;
             keep.push(true);
         } else {

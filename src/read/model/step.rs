@@ -25,7 +25,7 @@ use super::units::UnitSource;
 use crate::artifact::blade::Unit;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
-use crate::geometry::brep::{Brep, Coedge, Edge, Face, SurfaceKind};
+use crate::geometry::brep::{Brep, Coedge, Edge, Face, FaceName, SurfaceKind};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 use crate::observe::Remark;
 
@@ -276,17 +276,18 @@ impl Build<'_> {
     fn face(&mut self, face: &StepFace, shell_reversed: bool, to: &Matrix4<f64>) -> Result<()> {
         let number = self.brep.faces.len() + 1;
         let name = match face.name().trim() {
-            "" | "NONE" => format!("face {number}"),
-            given => format!("face {number} \"{given}\""),
+            "" | "NONE" => FaceName::Numbered(number),
+            given => FaceName::Given(number, given.to_owned()),
         };
+        let said = name.to_string();
         let kind = kind_of(&face.surface().kind());
         let patch = face.to_nurbs().map(|p| surface(&p, self.mm, to));
         if let Some(patch) = &patch {
-            patch.validate().map_err(|e| self.bad(&name, &e))?;
+            patch.validate().map_err(|e| self.bad(&said, &e))?;
         }
         let mut loops = Vec::new();
         for bound in face.bounds() {
-            let one = self.bound(&bound, &name, to)?;
+            let one = self.bound(&bound, &said, to)?;
             if !one.is_empty() {
                 loops.push(one);
             }

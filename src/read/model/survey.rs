@@ -26,7 +26,7 @@ use crate::artifact::region::{Area, Regions};
 use crate::artifact::wheel::ModelWheel;
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
 use crate::geometry::boundary::{self, openings};
-use crate::geometry::brep::Brep;
+use crate::geometry::brep::{Brep, FaceName};
 use crate::geometry::mesh::{Mesh, topology};
 use crate::geometry::part::Part;
 use crate::observe::{Doubt, Observer, Remark, Warning};
@@ -53,7 +53,7 @@ pub struct Survey {
     /// Deflection that the mesh of exact faces was made with, mm.
     pub deflection_mm: f64,
     /// Names of faces or groups, in the order of their numbers from 1.
-    pub face_names: Vec<String>,
+    pub face_names: Vec<FaceName>,
     /// Why no plan may be made although a blade may have been found: a unit that was guessed, a
     /// part without volume.
     pub obstacle: Option<Error>,
@@ -272,7 +272,7 @@ pub fn from_soup(path: &Path, soup: Soup, options: &ModelOptions, observer: &dyn
     let guess = units::judge_size(path, size.map(|s| s * unit.mm()), unit, source);
     let (unit, obstacle) = guess.take(unit, &mut diagnosis);
     let heal = HealOptions { weld_mm: options.weld_mm, close_holes_mm: options.close_holes_mm };
-    let face_names = soup.groups.clone();
+    let face_names = soup.groups.iter().map(|name| name.as_str().into()).collect();
     let healed = soup.heal(path, unit.mm(), &heal)?;
     observer.check(Stage::Model)?;
     observer.progress(Stage::Model, 1, 3);
@@ -290,7 +290,7 @@ struct ReadPart {
     unit: Unit,
     source: UnitSource,
     part: Part,
-    face_names: Vec<String>,
+    face_names: Vec<FaceName>,
     diagnosis: Diagnosis,
     obstacle: Option<Error>,
     stacking: Option<Stacking>,
@@ -425,7 +425,7 @@ struct Looked<'a> {
 /// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings
 /// are closed for the search; but not those of sheets that face each other, whose sections are
 /// joined where their ends are near.
-fn recognised(looked: &Looked, face_names: &[String], options: &ModelOptions, sheets: bool) -> Result<Recognised> {
+fn recognised(looked: &Looked, face_names: &[FaceName], options: &ModelOptions, sheets: bool) -> Result<Recognised> {
     let Looked { mesh, stacking, wheel } = *looked;
     let mut whole = mesh.clone();
     whole.corner_uv.clear();

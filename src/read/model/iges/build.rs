@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::file::{Entity, File};
 use super::surfaces::Carrier;
 use crate::error::Result;
-use crate::geometry::brep::{Brep, Coedge, Edge, Face};
+use crate::geometry::brep::{Brep, Coedge, Edge, Face, FaceName};
 use crate::geometry::nurbs::NurbsSurface;
 
 /// The B-rep as it grows.
@@ -56,7 +56,7 @@ impl<'f> Build<'f> {
         reversed: bool,
     ) -> Result<()> {
         self.spend(e, surface.points.len())?;
-        let name = format!("face {} (D{})", self.brep.faces.len() + 1, e.line);
+        let name = FaceName::Listed(self.brep.faces.len() + 1, e.line);
         self.brep.faces.push(Face { name, kind: c.kind, surface, reversed, loops });
         Ok(())
     }

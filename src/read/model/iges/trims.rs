@@ -247,8 +247,7 @@ fn finish(build: &mut Build, e: &Entity, c: &Carrier, walks: Vec<Walk>, natural:
     let mut loops: Vec<Vec<Coedge>> = Vec::new();
     if natural && !walks.is_empty() {
         // With holes, the outline has to be written out.
-        let face =
-            Face { name: String::new(), kind: c.kind, surface: surface.clone(), reversed: false, loops: Vec::new() };
+        let face = Face { name: "".into(), kind: c.kind, surface: surface.clone(), reversed: false, loops: Vec::new() };
         let mut alone = crate::geometry::brep::Brep { faces: vec![face], edges: Vec::new() };
         let space = ParameterSpace::of(&surface, super::surfaces::CLOSED_MM);
         add_natural_loops(&mut alone, &[space]);

@@ -34,6 +34,7 @@ pub mod wheel;
 use super::ModelOptions;
 use super::faces::Stacking;
 use crate::error::{Error, Result, Stage};
+use crate::geometry::brep::FaceName;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Rigid, Vector};
@@ -108,7 +109,7 @@ pub fn looks_like_airfoil(mesh: &Mesh) -> Option<String> {
 /// `Usage`: an axis of no length. `InputOutput`: no direction along which sections continue.
 pub fn recognise(
     mesh: &Mesh,
-    face_names: &[String],
+    face_names: &[FaceName],
     options: &ModelOptions,
     stacking: Option<&Stacking>,
     wheel: Option<&Wheel>,

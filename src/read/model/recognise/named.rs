@@ -5,6 +5,7 @@ use super::super::ModelOptions;
 use super::{Heights, no_blade, run};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
+use crate::geometry::brep::FaceName;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 
@@ -16,7 +17,7 @@ const SHARE_NAMED: f64 = 0.01;
 ///
 /// # Errors
 /// `Usage`: a number or name that no face has.
-pub fn faces(wanted: &[String], names: &[String]) -> Result<Option<Vec<bool>>> {
+pub fn faces(wanted: &[String], names: &[FaceName]) -> Result<Option<Vec<bool>>> {
     if wanted.is_empty() {
         return Ok(None);
     }
@@ -25,8 +26,9 @@ pub fn faces(wanted: &[String], names: &[String]) -> Result<Option<Vec<bool>>> {
         let number = text.trim_start_matches('#').parse::<usize>().ok();
         let mut hit = false;
         for (k, name) in names.iter().enumerate() {
-            let plain = name.split('"').nth(1).unwrap_or(name);
-            if number == Some(k + 1) || plain.eq_ignore_ascii_case(text) || name.eq_ignore_ascii_case(text) {
+            let own = name.own();
+            let is_own = !own.is_empty() && own.eq_ignore_ascii_case(text);
+            if number == Some(k + 1) || is_own || name.to_string().eq_ignore_ascii_case(text) {
                 (flags[k], hit) = (true, true);
             }
         }
@@ -47,9 +49,9 @@ pub fn faces(wanted: &[String], names: &[String]) -> Result<Option<Vec<bool>>> {
 /// # Errors
 /// As [`faces`].
 pub fn faces_of(wanted: &[String], part: &Part) -> Result<Vec<bool>> {
-    let names: Vec<String> = match &part.brep {
+    let names: Vec<FaceName> = match &part.brep {
         Some(brep) => brep.faces.iter().map(|f| f.name.clone()).collect(),
-        None => vec![String::new(); part.mesh.face_of.iter().max().map_or(1, |most| *most as usize + 1)],
+        None => vec![FaceName::Own(String::new()); part.mesh.face_of.iter().max().map_or(1, |most| *most as usize + 1)],
     };
     Ok(faces(wanted, &names)?.unwrap_or_default())
 }
@@ -58,7 +60,7 @@ pub fn faces_of(wanted: &[String], part: &Part) -> Result<Vec<bool>> {
 ///
 /// # Errors
 /// `Usage`: heights outside the part, faces that are not there.
-pub fn apply(heights: &mut Heights, mesh: &Mesh, names: &[String], options: &ModelOptions) -> Result<()> {
+pub fn apply(heights: &mut Heights, mesh: &Mesh, names: &[FaceName], options: &ModelOptions) -> Result<()> {
     let [lo, hi] = heights.part_x_mm;
     let inside = |x: f64| (lo..=hi).contains(&x);
     if let Some([a, b]) = options.airfoil_mm {

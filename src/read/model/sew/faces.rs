@@ -115,7 +115,7 @@ pub fn drop_repeated(brep: &mut Brep, found: &[Match], tolerance_mm: f64) -> Vec
         }
         if same_inside(brep, &brep.faces[a], &brep.faces[b], tolerance_mm) {
             marks[b] = true;
-            out.push((brep.faces[b].name.clone(), brep.faces[a].name.clone()));
+            out.push((brep.faces[b].name.to_string(), brep.faces[a].name.to_string()));
         }
     }
     remove(brep, &marks);
@@ -157,7 +157,7 @@ fn remove(brep: &mut Brep, marks: &[bool]) -> Vec<String> {
     brep.faces.retain(|f| {
         k += 1;
         if marks[k - 1] {
-            names.push(f.name.clone());
+            names.push(f.name.to_string());
         }
         !marks[k - 1]
     });

@@ -26,7 +26,7 @@ fn squares(gap: f64) -> Brep {
         brep.edges.extend((0..4).map(|k| line(corners[k], corners[(k + 1) % 4])));
         let point = |x: f64, y: f64| Vector4::new(x, y, 0.0, 1.0);
         brep.faces.push(Face {
-            name: String::new(),
+            name: "".into(),
             kind: SurfaceKind::Plane,
             surface: NurbsSurface::bilinear([point(x, 0.0), point(x, 1.0), point(x + 1.0, 0.0), point(x + 1.0, 1.0)]),
             reversed: false,

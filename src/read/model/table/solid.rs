@@ -109,7 +109,7 @@ impl Solid {
     }
 
     fn face(&mut self, name: String, kind: SurfaceKind, surface: NurbsSurface, reversed: bool, edges: Vec<Coedge>) {
-        self.brep.faces.push(Face { name, kind, surface, reversed, loops: vec![edges] });
+        self.brep.faces.push(Face { name: name.into(), kind, surface, reversed, loops: vec![edges] });
     }
 
     /// Closes an outline of edges that run round it, counter-clockwise seen against the span;

@@ -34,7 +34,7 @@ fn a_box_of_trimmed_faces() {
     let s = solid(&sheet.text(), 0.01);
     s.measures(2400.0, 2.0 * (40.0 + 240.0 + 600.0), 1e-12);
     assert_eq!((s.brep.faces.len(), s.brep.edges.len(), s.sewn.joined, s.sewn.open), (6, 12, 12, 0));
-    assert!(s.brep.faces[0].name.contains("(D"), "{}", s.brep.faces[0].name);
+    assert!(s.brep.faces[0].name.to_string().contains("(D"), "{}", s.brep.faces[0].name);
 }
 
 /// Properties (406) and definitions that nothing places (308) are no shape, wherever they stand and
