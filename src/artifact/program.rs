@@ -1,7 +1,7 @@
 //! NC programs as text.
 
-/// A ball of a program that others wrote touches the part where it is this near to it, mm: more than
-/// the chords of their path and the rounding of their words, less than any stock.
+/// A ball of a program that others wrote touches the part where it is this near to it, mm: more
+/// than the chords of their path and the rounding of their words, less than any stock.
 pub const TOUCHES_MM: f64 = 0.02;
 
 /// The controls that a program can be written for: each is a post file that is built in.

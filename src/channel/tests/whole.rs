@@ -277,8 +277,8 @@ fn frames_do_not_matter() {
     let outline = banana(40.0, 1.0, 4.0);
     let blade = on_platform(&outline, 60, 60.0);
     let turn = |per_turn: usize| helix(&outline, 4.0, per_turn, 1, 12.0, 0.4);
-    // Proofs of moves take long: a part of a turn does.
-    for (proven, path) in [(false, turn(30)), (true, turn(30).at(&Vec::from_iter(0..10)))] {
+    // Proofs of moves take long: fewer cases and a part of a turn do.
+    for (proven, path, some) in [(false, turn(30), 8), (true, turn(30).at(&Vec::from_iter(0..10)), 4)] {
         let o = ChannelOptions::default().with(|s| s.prove_moves = proven);
         let plain = plan(&blade, &tool(4.0, 5.0), &path, &o, &Silent).unwrap();
         // An end lies within one tolerance of the true one, always inside: so do two of them of
@@ -289,7 +289,7 @@ fn frames_do_not_matter() {
         let room = tolerances * o.settings.tolerance_deg.to_radians() + 1e-9;
         let numbers = |range: f64| prop::array::uniform3(-range..range);
         let written = prop::collection::vec((0.0..TAU, prop::bool::ANY), path.locations.len());
-        let config = ProptestConfig { cases: cases(8), failure_persistence: None, ..ProptestConfig::default() };
+        let config = ProptestConfig { cases: cases(some), failure_persistence: None, ..ProptestConfig::default() };
         let ran = TestRunner::new(config).run(&(numbers(50.0), numbers(3.0), written), |(shift, turn, written)| {
             let place = nalgebra::Isometry3::new(shift.into(), turn.into());
             let mut other = blade.clone();
