@@ -4,7 +4,7 @@
 //! **Out**:
 //! a [`Script`] of [`Block`]s, and one [`Moved`] for each move. Each reader (`gcode`, `heidenhain`,
 //! `apt`) keeps the control's modal state; [`follow`] moves the machine through the blocks;
-//! [`guess`] finds the language of a text whose writer is not known; [`line`] says where the
+//! [`guess`] finds the language of a text whose writer is not known; [`mod@line`] says where the
 //! numbers of a line stand, for a line to be written anew; [`pinch`] reads programs of two tools.
 //!
 //! **Guarantees**: a word that is neither acted on nor known to be harmless is refused with its
