@@ -50,7 +50,7 @@ use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, Stopped};
 use crate::geometry::Point;
-use crate::observe::Observer;
+use crate::observe::{Doubt, Observer, Warning};
 use crate::parallel;
 
 /// The scallop of the turns that only look for the end, over that of the path.
@@ -85,18 +85,35 @@ pub(super) fn plan(
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
     let lay = |evens_ways| Laying::new(blade, level, options, start_x, evens_ways, observer)?.lay();
+    let helix = better_of(lay, level, options)?;
+    if helix.ends_by_disc {
+        let [a, b] = helix.path.region_x_mm;
+        let doubt = Doubt::HelixEndsAbove {
+            height_mm: a.min(b),
+            reason: helix.path.end_reason.to_string(),
+            cause: None,
+            advice: "let it lean more with channel.contact_angle_max_deg, or take a narrower cutter or a larger corner"
+                .into(),
+        };
+        observer.warn(Warning { stage: Stage::Path, doubt });
+    }
+    Ok(helix.path)
+}
+
+/// The helix whose turns follow facets as they are, or that whose ways are evened out.
+fn better_of(lay: impl Fn(bool) -> Result<Helix>, level: &LevelSet, options: &PathOptions) -> Result<Helix> {
     let plain = lay(false);
     if !level.is_over_facets() {
-        return plain.map(|helix| helix.path);
+        return plain;
     }
     let rank = |h: &Helix| (!h.is_from_end, h.path.planned_scallop_mm);
     match plain {
-        Ok(helix) if rank(&helix) <= (false, MOST_SCALLOP * options.settings.scallop_mm) => Ok(helix.path),
+        Ok(helix) if rank(&helix) <= (false, MOST_SCALLOP * options.settings.scallop_mm) => Ok(helix),
         Err(e) if e.kind != ErrorKind::Infeasible => Err(e),
         plain => match (plain, lay(true)) {
             (_, Err(e)) if e.kind != ErrorKind::Infeasible => Err(e),
-            (Ok(one), Ok(other)) => Ok(if rank(&other) < rank(&one) { other.path } else { one.path }),
-            (one, other) => one.or(other).map(|helix| helix.path),
+            (Ok(one), Ok(other)) => Ok(if rank(&other) < rank(&one) { other } else { one }),
+            (one, other) => one.or(other),
         },
     }
 }
@@ -106,6 +123,8 @@ struct Helix {
     path: Toolpath,
     /// Whether its turns are laid up from its end.
     is_from_end: bool,
+    /// Whether it ends where the disc of a cutter with a corner has no room farther down.
+    ends_by_disc: bool,
 }
 
 /// What became of turns that are laid up from an end.
@@ -172,11 +191,19 @@ impl<'a> Laying<'a> {
             let search = self.search(coarser * scallop_mm);
             down = search.find_end(&ring, open, &|x| self.progress(0.0, 300.0, self.start_x - x))?;
             match self.laid_up(&search, &down, k + 1 == tries.len())? {
-                Up::Laid(path) => return Ok(Helix { path, is_from_end: true }),
+                Up::Laid(path) => return Ok(self.helix(path, &down, true)),
                 Up::Lost(at) => lost_on_the_way_up = at.or(lost_on_the_way_up),
             }
         }
-        Ok(Helix { path: self.laid_down(down, lost_on_the_way_up)?, is_from_end: false })
+        let path = self.laid_down(&down, lost_on_the_way_up)?;
+        Ok(self.helix(path, &down, false))
+    }
+
+    fn helix(&self, path: Toolpath, down: &Laid, is_from_end: bool) -> Helix {
+        let stop = stopped(down);
+        let by_disc = stop.0 == Stopped::CutsBeside;
+        let ends_by_disc = by_disc && path.end_reason == end_reason(self.blade, stop, self.options);
+        Helix { path, is_from_end, ends_by_disc }
     }
 
     /// The turns that only look for the end.
@@ -297,11 +324,11 @@ impl<'a> Laying<'a> {
     }
 
     /// The helix of the turns that were laid down from the start.
-    fn laid_down(&self, down: Laid, lost_on_the_way_up: Option<Point>) -> Result<Toolpath> {
+    fn laid_down(&self, down: &Laid, lost_on_the_way_up: Option<Point>) -> Result<Toolpath> {
         let (blade, options) = (self.blade, self.options);
-        let reason = end_reason(blade, stopped(&down), options);
+        let reason = end_reason(blade, stopped(down), options);
         if down.turns.len() < 2 {
-            let (by, at) = stopped(&down);
+            let (by, at) = stopped(down);
             let since = rings::not_one_turn(options, by, at.map(|p| spot(blade, &p)));
             return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"), since)
                 .advise(rings::no_turn_advice(down.lost.is_some())));
@@ -353,7 +380,7 @@ fn end_reason(blade: &Blade, stop: (Stopped, Option<Point>), options: &PathOptio
         Stopped::Corner => at(format!("in the corner the ball meets a wall that leans over more than {most_deg:.0}°")),
         Stopped::CutsBeside => {
             let most_deg = options.inclined.map_or(0.0, |i| i.contact_rad[1].to_degrees());
-            at(format!("farther down, inclined by {most_deg:.0}°, the cutter cuts the part beside its contact:"))
+            at(format!("inclined by {most_deg:.0}° the cutter cuts the part beside its contact, first"))
         }
         Stopped::NoNearer => at("turns come no nearer to the end of the region".into()),
         _ => at(format!("a ball of radius {} mm cannot follow the surface", options.radius_mm)),
