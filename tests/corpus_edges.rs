@@ -10,6 +10,9 @@ use bladewright::observe::Silent;
 use bladewright::read::model::{self, ModelOptions};
 use bladewright::section::{self, SectionOptions};
 
+/// Blades none of whose sections closes: there is nothing to name.
+const OPEN: [&str; 1] = ["kaplan_blade_DERIVED_from_brep.step"];
+
 /// Heights at which a blade is cut; chords turn by few degrees from one to the next.
 const HEIGHTS: u32 = 120;
 
@@ -102,11 +105,9 @@ fn corpus_edges_keep_their_names() {
     let mut wrong = Vec::new();
     for (file, unit) in blades {
         let blade = load(&folder.join(file), unit);
-        // Where no section closes there is nothing to name.
-        let Ok(all) = section::plan(&blade, &SectionOptions::default().with(|s| s.count = HEIGHTS), &Silent) else {
-            eprintln!("{file}: no section closes");
-            continue;
-        };
+        let planned = section::plan(&blade, &SectionOptions::default().with(|s| s.count = HEIGHTS), &Silent);
+        assert_eq!(planned.is_err(), OPEN.contains(&file), "{file}: {:?}", planned.err().map(|e| e.message));
+        let Ok(all) = planned else { continue };
         let found = jumps(&all);
         eprintln!("{file}: {} sections, {} jumps", all.len(), found.len());
         if !found.is_empty() {
