@@ -50,6 +50,21 @@ pub fn tool() -> Tool {
     }
 }
 
+/// A third of a round trough about the blade axis, seen from within; `steps` facets round it.
+pub fn trough(radius_mm: f64, steps: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    for k in 0..=steps {
+        let (s, c) = (2.1 * f64::from(k) / f64::from(steps)).sin_cos();
+        mesh.points.extend([-40.0, 40.0].map(|x| Point::new(x, radius_mm * c, radius_mm * s)));
+    }
+    for k in 0..steps {
+        let [a, b] = [2 * k, 2 * k + 2];
+        mesh.triangles.extend([[a, b, a + 1], [a + 1, b, b + 1]]);
+        mesh.face_of.extend([0, 0]);
+    }
+    mesh
+}
+
 /// The cylinder, closed by fans at both ends; faces: 0 side, 1 root end, 2 tip end.
 pub fn blade() -> Blade {
     let n = 48u32;

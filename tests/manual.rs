@@ -50,44 +50,12 @@ fn as_here(line: &str) -> Option<String> {
 
 /// In the short form, which CI asks for, commands mill ridges three times as high as printed, on
 /// chords twice as far off, and checks look at the part in fewer places.
-fn is_short() -> bool {
-    std::env::var_os("BLADEWRIGHT_SHORT").is_some()
-}
-
 fn shortened(line: String) -> String {
-    if !is_short() {
+    if std::env::var_os("BLADEWRIGHT_SHORT").is_none() {
         return line;
     }
     let coarse = "scallop_mm=0.15 --set path.chord_mm=0.002 --set verify.surface_samples=20000";
     line.replace("scallop_mm=0.05", coarse).replace("--scallop 0.05", "--scallop 0.15")
-}
-
-/// A folder of the examples for the short form: jobs and tables ask for ridges three times as high.
-fn short_examples(from: &Path, to: &Path) {
-    std::fs::create_dir(to).expect("a folder");
-    for entry in std::fs::read_dir(from).expect("examples") {
-        let from = entry.expect("an entry").path();
-        let to = to.join(from.file_name().expect("a name"));
-        let kind = from.extension().and_then(|e| e.to_str());
-        if from.is_dir() {
-            short_examples(&from, &to);
-        } else if kind == Some("toml") || kind == Some("csv") {
-            let text = std::fs::read_to_string(&from).expect("an example");
-            let higher = text.lines().map(|l| tripled(l) + "\n").collect::<String>();
-            std::fs::write(&to, higher).expect("a copy");
-        } else {
-            std::fs::copy(&from, &to).expect("a copy");
-        }
-    }
-}
-
-/// A line of a job with its scallop, or of a table that ends in a column of scallops.
-fn tripled(line: &str) -> String {
-    let (before, mm) = match line.strip_prefix("scallop_mm = ") {
-        Some(mm) => ("scallop_mm = ", mm),
-        None => line.rfind(',').map_or((line, ""), |k| line.split_at(k + 1)),
-    };
-    mm.parse::<f64>().map_or_else(|_| line.to_owned(), |mm| format!("{before}{}", 3.0 * mm))
 }
 
 fn session(chapter: &Path) -> Vec<String> {
@@ -100,12 +68,7 @@ fn run_as_printed(name: &str) -> tempfile::TempDir {
     let chapter = checkout().join(name);
     let folder = tempfile::tempdir().expect("a folder");
     for entry in ["Cargo.toml", "docs", "examples", "models", "src", "tests"] {
-        let (from, to) = (checkout().join(entry), folder.path().join(entry));
-        if entry == "examples" && is_short() {
-            short_examples(&from, &to);
-        } else {
-            std::os::unix::fs::symlink(from, to).expect("a link");
-        }
+        std::os::unix::fs::symlink(checkout().join(entry), folder.path().join(entry)).expect("a link");
     }
     let binary = Path::new(env!("CARGO_BIN_EXE_bladewright"));
     let binaries = binary.parent().expect("a folder").to_path_buf();

@@ -198,12 +198,13 @@ impl<'a> Surroundings<'a> {
         }
         // A place where nothing is free comes before one where angles do not join: it says what
         // would do.
-        let taken: Vec<usize> = (0..layers.len()).filter(|k| layers[*k].is_empty()).collect();
-        let Some(first) = taken.first() else {
-            return cornered::apart(layers, reporter, at).unwrap_or_else(|| reporter.closed(layers, at));
+        let mut taken = (0..layers.len()).filter(|k| layers[*k].is_empty()).peekable();
+        let first = taken.peek().copied();
+        let said = match first {
+            Some(_) => taken.find_map(|k| cornered::closed(self, tool, options, (reporter, k))),
+            None => cornered::apart(layers, reporter, at),
         };
-        let by_disc = taken.iter().find_map(|k| cornered::closed(self, tool, options, (reporter, *k)));
-        by_disc.unwrap_or_else(|| reporter.closed(layers, *first))
+        said.unwrap_or_else(|| reporter.closed(layers, first.unwrap_or(at)))
     }
 
     fn scene<'s>(&'s self, tool: &Tool, options: &'s ChannelOptions) -> ObstacleScene<'s> {

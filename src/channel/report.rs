@@ -224,12 +224,10 @@ impl Reporter<'_> {
         if !self.free_with(sample, &|_| true, self.scene.options).is_empty() {
             ends = self.axes_short(sample);
             let words: Vec<String> = ends.iter().map(|b| self.blame(b)).collect();
-            said = vec![match words.is_empty() {
-                false => format!("{} leaves none of what is free of all bodies", words.join(", or ")),
-                // The windows of a cutter with a corner join on to one another.
-                true => "the surface turns faster there than the contact angle can follow".into(),
-            }];
+            said = vec![format!("{} leaves none of what is free of all bodies", words.join(", or "))];
             if ends.is_empty() {
+                // The windows of a cutter with a corner join on to one another.
+                said = vec!["the surface turns faster there than the contact angle can follow".into()];
                 ends.push(Binding::ContactAngle);
             }
         } else if !self.free_with(sample, &|_| true, &wide).is_empty() {

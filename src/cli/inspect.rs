@@ -36,7 +36,7 @@ pub fn run(args: &Inspect, quiet: bool) -> Result<u8> {
 
 /// How much of the airfoil has an opposite side.
 fn pairs(survey: &Survey, terminal: &Terminal) -> Result<()> {
-    let chord_mm = survey.found.as_ref().map_err(Error::again)?.chord_mm();
+    let chord_mm = survey.found.as_ref().map_err(Error::without_cause)?.chord_mm();
     let share = pair::share(&survey.part, &survey.areas(), chord_mm, terminal);
     terminal.finish();
     let share = share?;

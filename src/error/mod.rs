@@ -130,9 +130,9 @@ impl Error {
     pub fn region_may_end_mm(&self) -> Option<f64> {
         self.infeasible.as_ref()?.region_may_end_mm()
     }
-    /// The same to be told again, without its cause.
+    /// A copy without its cause.
     #[must_use]
-    pub fn again(&self) -> Self {
+    pub fn without_cause(&self) -> Self {
         let (message, advice, infeasible) = (self.message.clone(), self.advice.clone(), self.infeasible.clone());
         Error { stage: self.stage, kind: self.kind, message, advice, infeasible, source: None }
     }

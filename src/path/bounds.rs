@@ -46,7 +46,9 @@ pub struct Bounds<'a> {
     pub ends: &'a [Boundary],
     /// The rim that may not be touched.
     pub rim: Option<&'a Rim>,
-    /// Whether the disc of a cutter with a corner must have room at the part.
+    /// Whether the disc of a cutter with a corner must have room at the part. To look at that takes
+    /// long: it is done once for each neighbour that is found, and not by [`Bounds::hold`] for each
+    /// place on the way to it.
     pub disc_fits: bool,
 }
 

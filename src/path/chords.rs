@@ -81,7 +81,7 @@ impl<F: Fn(f64) -> Result<Touch>> Chords<'_, F> {
         Ok(())
     }
     /// A place on a chord is further from the surface of ball centres than the tolerance. One
-    /// closest point says: where the curve is there is not asked.
+    /// closest point is enough: where the curve is there does not matter.
     fn leaves(&self, q: &Point) -> bool {
         let (radius_mm, chord_mm) = (self.options.radius_mm, self.options.chord_mm());
         let near = self.level.part.closest(q, radius_mm + 2.0 * chord_mm);

@@ -52,6 +52,7 @@ use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, Stopped};
 use crate::geometry::Point;
 use crate::observe::{Doubt, Observer, Warning};
 use crate::parallel;
+use crate::tool::inclination::SPAN_RAD;
 
 /// The scallop of the turns that only look for the end, over that of the path.
 const COARSER: f64 = 4.0;
@@ -86,7 +87,7 @@ pub(super) fn plan(
 ) -> Result<Toolpath> {
     let lay = |evens_ways| Laying::new(blade, level, options, start_x, evens_ways, observer)?.lay();
     let helix = better_of(lay, level, options)?;
-    if helix.ends_by_disc {
+    if helix.ended_by == Stopped::CutsBeside {
         let [a, b] = helix.path.region_x_mm;
         let doubt = Doubt::HelixEndsAbove {
             height_mm: a.min(b),
@@ -123,14 +124,14 @@ struct Helix {
     path: Toolpath,
     /// Whether its turns are laid up from its end.
     is_from_end: bool,
-    /// Whether it ends where the disc of a cutter with a corner has no room farther down.
-    ends_by_disc: bool,
+    /// What ends it.
+    ended_by: Stopped,
 }
 
 /// What became of turns that are laid up from an end.
 enum Up {
-    /// A path.
-    Laid(Toolpath),
+    /// A path, and what ends it.
+    Laid(Toolpath, Stopped),
     /// None; where the surface was lost.
     Lost(Option<Point>),
 }
@@ -191,19 +192,12 @@ impl<'a> Laying<'a> {
             let search = self.search(coarser * scallop_mm);
             down = search.find_end(&ring, open, &|x| self.progress(0.0, 300.0, self.start_x - x))?;
             match self.laid_up(&search, &down, k + 1 == tries.len())? {
-                Up::Laid(path) => return Ok(self.helix(path, &down, true)),
+                Up::Laid(path, ended_by) => return Ok(Helix { path, is_from_end: true, ended_by }),
                 Up::Lost(at) => lost_on_the_way_up = at.or(lost_on_the_way_up),
             }
         }
-        let path = self.laid_down(&down, lost_on_the_way_up)?;
-        Ok(self.helix(path, &down, false))
-    }
-
-    fn helix(&self, path: Toolpath, down: &Laid, is_from_end: bool) -> Helix {
-        let stop = stopped(down);
-        let by_disc = stop.0 == Stopped::CutsBeside;
-        let ends_by_disc = by_disc && path.end_reason == end_reason(self.blade, stop, self.options);
-        Helix { path, is_from_end, ends_by_disc }
+        let ended_by = stopped(&down).0;
+        Ok(Helix { path: self.laid_down(down, lost_on_the_way_up)?, is_from_end: false, ended_by })
     }
 
     /// The turns that only look for the end.
@@ -243,7 +237,8 @@ impl<'a> Laying<'a> {
 
     /// The helix of turns laid up from the end that was found.
     fn laid_up(&self, search: &Front, down: &Laid, is_finest: bool) -> Result<Up> {
-        let mut reason = end_reason(self.blade, stopped(down), self.options);
+        let (mut ended_by, at) = stopped(down);
+        let mut reason = end_reason(self.blade, (ended_by, at), self.options);
         let mean_mm = |end: &[Touch]| end.iter().map(|t| self.height_mm(&t.centre)).sum::<f64>() / end.len() as f64;
         let depth_mm = |end: &[Touch]| self.start_x - mean_mm(end);
         // A finer search, or ways that are evened out, may find an end from which turns can be laid
@@ -265,6 +260,7 @@ impl<'a> Laying<'a> {
                 lost = Some(at);
                 if *left_out == 0 {
                     let at = place(self.blade, &at);
+                    ended_by = Stopped::BallTooLarge;
                     reason = EndReason::Blocked(format!("turns from farther down would lose the surface at {at}"));
                 }
                 continue;
@@ -273,7 +269,7 @@ impl<'a> Laying<'a> {
                 laid.turns.iter().rev().map(|t| t.iter().rev().map(|n| n.touch).collect()).collect();
             match finish(self.level, self.options, &reversed, reason.clone(), self.observer) {
                 Err(e) if e.kind == ErrorKind::Infeasible => {}
-                done => return done.map(Up::Laid),
+                done => return done.map(|path| Up::Laid(path, ended_by)),
             }
         }
         Ok(Up::Lost(lost))
@@ -324,11 +320,11 @@ impl<'a> Laying<'a> {
     }
 
     /// The helix of the turns that were laid down from the start.
-    fn laid_down(&self, down: &Laid, lost_on_the_way_up: Option<Point>) -> Result<Toolpath> {
+    fn laid_down(&self, down: Laid, lost_on_the_way_up: Option<Point>) -> Result<Toolpath> {
         let (blade, options) = (self.blade, self.options);
-        let reason = end_reason(blade, stopped(down), options);
+        let reason = end_reason(blade, stopped(&down), options);
         if down.turns.len() < 2 {
-            let (by, at) = stopped(down);
+            let (by, at) = stopped(&down);
             let since = rings::not_one_turn(options, by, at.map(|p| spot(blade, &p)));
             return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"), since)
                 .advise(rings::no_turn_advice(down.lost.is_some())));
@@ -380,7 +376,11 @@ fn end_reason(blade: &Blade, stop: (Stopped, Option<Point>), options: &PathOptio
         Stopped::Corner => at(format!("in the corner the ball meets a wall that leans over more than {most_deg:.0}°")),
         Stopped::CutsBeside => {
             let most_deg = options.inclined.map_or(0.0, |i| i.contact_rad[1].to_degrees());
-            at(format!("inclined by {most_deg:.0}° the cutter cuts the part beside its contact, first"))
+            let room_deg = SPAN_RAD.to_degrees();
+            at(format!(
+                "inclined by at most {most_deg:.0}°, with {room_deg:.1}° of room for θ, the cutter cuts the part beside \
+                 its contact, first"
+            ))
         }
         Stopped::NoNearer => at("turns come no nearer to the end of the region".into()),
         _ => at(format!("a ball of radius {} mm cannot follow the surface", options.radius_mm)),

@@ -74,9 +74,9 @@ impl LevelSet<'_> {
         self.part.brep.is_none()
     }
 
-    /// Whether the disc of a cutter with a corner, inclined as far as it may be, has room at the
-    /// part where the corner touches it. A ball always has. The rim is looked at in some places
-    /// only: what the channel finds between them is refused there.
+    /// Whether the disc of a cutter with a corner, inclined as far as it may be less the room that
+    /// θ needs, clears the part where the corner touches it. A ball always has. The rim is looked
+    /// at in some places only: what the channel finds between them is refused there.
     pub fn disc_fits(&self, touch: &Touch) -> bool {
         let Some(inclined) = &self.inclined else { return true };
         let disc = inclined.disc_with_room(&touch.centre, &touch.normal);
@@ -147,26 +147,9 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::artifact::Cone;
-    use crate::geometry::mesh::Mesh;
     use crate::geometry::part::Part;
     use crate::sample;
     use crate::tool::Tool;
-
-    /// A third of a round trough about the blade axis, seen from within.
-    fn trough(radius_mm: f64) -> Mesh {
-        const STEPS: u32 = 4000;
-        let mut mesh = Mesh::default();
-        for k in 0..=STEPS {
-            let (s, c) = (2.1 * f64::from(k) / f64::from(STEPS)).sin_cos();
-            mesh.points.extend([-20.0, 20.0].map(|x| Point::new(x, radius_mm * c, radius_mm * s)));
-        }
-        for k in 0..STEPS {
-            let [a, b] = [2 * k, 2 * k + 2];
-            mesh.triangles.extend([[a, b, a + 1], [a + 1, b, b + 1]]);
-            mesh.face_of.extend([0, 0]);
-        }
-        mesh
-    }
 
     /// A disc of radius `R` inclined by `α` has room in a trough of radius `ρ` where
     /// `sin α ≥ R / (ρ − r)`.
@@ -176,7 +159,7 @@ mod tests {
         let inclined = Inclined::new(&tool, [3.0, 12.0], Cone::about_blade(0.0)).unwrap();
         let least_mm = |room_rad: f64| 2.0 + 6.0 / (12f64.to_radians() - room_rad).sin();
         let fits = |radius_mm: f64| {
-            let part = Part::from_mesh(trough(radius_mm));
+            let part = Part::from_mesh(sample::trough(radius_mm, 4000));
             let level = LevelSet {
                 part: Allowed::new(&part, 0.0),
                 along: Along::BLADE,

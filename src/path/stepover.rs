@@ -311,7 +311,7 @@ fn ray_into_ball(p: &Point, n: &Vector, c: &Point, radius_mm: f64) -> f64 {
 
 /// The figure of many ridge heights that a pitch is judged by, mm: the greatest on exact faces; on
 /// a mesh the 99th percentile, since single ridges on the edges between facets show the facets
-/// and not of the part. Of cutters with a corner too, since they are foreseen as if turns went
+/// and not the part. Of cutters with a corner too, since they are foreseen as if turns went
 /// straight on: where these bend sharply that is too much. 0 without heights.
 pub fn decisive_mm(level: &LevelSet, mut heights_mm: Vec<f64>) -> f64 {
     heights_mm.sort_by(f64::total_cmp);

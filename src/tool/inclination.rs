@@ -25,7 +25,7 @@ use crate::geometry::{Point, Vector};
 /// the corner's radius.
 pub const BEND: f64 = 0.2;
 /// Wherever a cutter can lean within the range of contact angle, it can by this much less, rad.
-const SPAN_RAD: f64 = 0.03;
+pub const SPAN_RAD: f64 = 0.03;
 /// Angles of a window that are looked at.
 const LOOKS: usize = 24;
 /// Halvings towards the beginning of a window.

@@ -21,6 +21,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
+use crate::sample;
 use crate::tool::{HolderStage, Tool};
 
 const HOLLOW_MM: f64 = 40.0;
@@ -29,19 +30,8 @@ fn bull() -> Tool {
     Tool { radius_mm: 8.0, corner_radius_mm: Some(2.0), holder: Vec::new(), stickout_mm: 20.0, ..world::tool(8.0, 0.0) }
 }
 
-/// A third of a round trough about the blade axis, seen from within; `steps` facets round it.
 fn trough(steps: u32) -> Mesh {
-    let mut mesh = Mesh::default();
-    for k in 0..=steps {
-        let (s, c) = (2.1 * f64::from(k) / f64::from(steps)).sin_cos();
-        mesh.points.extend([-40.0, 40.0].map(|x| Point::new(x, HOLLOW_MM * c, HOLLOW_MM * s)));
-    }
-    for k in 0..steps {
-        let [a, b] = [2 * k, 2 * k + 2];
-        mesh.triangles.extend([[a, b, a + 1], [a + 1, b, b + 1]]);
-        mesh.face_of.extend([0, 0]);
-    }
-    mesh
+    sample::trough(HOLLOW_MM, steps)
 }
 
 /// A path along its middle, of corners of a radius; amid it the cutter has room at both ends.
@@ -98,9 +88,6 @@ fn a_hollow_too_narrow_is_refused_with_the_inclination_that_would_do() {
     assert!(matches!(&bounds[..], [Bound::Part { tool, .. }] if tool == "cutter"), "{bounds:?}");
 }
 
-/// What is advised is the closed form but for the way from place to place, of 0.01 rad, over which
-/// windows overlap: the least inclination of the disc there is, and the widest disc that the range
-/// of contact angle leaves.
 /// Where windows of 3 to 20° go on 25° farther at once, and the normal turns by 0.01 rad, they
 /// would join at 28.57° before that.
 #[test]
@@ -124,6 +111,9 @@ fn angles_that_do_not_join_are_told_with_the_one_that_would() {
     assert!(!refused(14).contains("just before they would"), "{}", refused(14));
 }
 
+/// What is advised is the closed form but for the way from place to place, of 0.01 rad, over which
+/// windows overlap: the least inclination of the disc there is, and the widest disc that the range
+/// of contact angle leaves.
 #[test]
 fn the_least_inclination_and_the_widest_cutter_are_advised() {
     let (blade, tool, mut path) = (world::blade(trough(400)), bull(), along_the_trough(2.0));

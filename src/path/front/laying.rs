@@ -23,6 +23,10 @@ const LEAST_PART: f64 = 0.05;
 const TOO_LONG: f64 = 5.0;
 /// A turn shorter than this share of the one before has lost a part of the way round.
 const TOO_SHORT: f64 = 0.6;
+/// The greatest way to a neighbour under cutters with a corner, over the way that the share
+/// [`NEAR_RANK`] of the nodes falls short of.
+const TOGETHER: f64 = 2.0;
+const NEAR_RANK: f64 = 0.1;
 
 /// Turns laid, the first along a ring and the last node of each being the first of the next.
 pub struct Laid {
@@ -77,11 +81,6 @@ impl Rest {
         self.since >= self.patience
     }
 }
-
-/// The greatest way to a neighbour under cutters with a corner over that which a tenth of the nodes
-/// is under.
-const TOGETHER: f64 = 2.0;
-const NEAR_RANK: f64 = 0.1;
 
 /// How a turn runs: what the neighbours of its nodes are sought by.
 pub struct Course {

@@ -27,8 +27,8 @@ const DIRECTION_DEG: f64 = 0.001;
 const TIME: f64 = 0.001;
 /// Greatest relative difference of the time of a line.
 const FEED: f64 = 0.02;
-/// Times of lines differ from here on, s: places are rounded, and with them the times at
-/// which the plan is there.
+/// Times of lines that are nearer than this are the same, s: places are rounded, and with them the
+/// times at which the plan is there.
 const MOMENT_S: f64 = 0.01;
 /// A line that comes this near to the first or last location ends there, mm.
 const AT_END_MM: f64 = 0.05;

@@ -325,6 +325,7 @@ fn the_head_has_the_name_of_its_axis_and_the_lean_its_range() {
             |a: &serde_json::Value, b: &serde_json::Value| (a.as_f64().unwrap() - b.as_f64().unwrap()).abs() < 1e-9;
         match (&said[key], &lean) {
             (serde_json::Value::Array(found), serde_json::Value::Array(want)) => {
+                assert_eq!(found.len(), want.len(), "{said}");
                 assert!(found.iter().zip(want).all(|(a, b)| close(a, b)), "{said}");
             }
             (found, want) => assert_eq!(found, want),
