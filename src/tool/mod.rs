@@ -172,6 +172,16 @@ impl Tool {
         self.disc_radius_mm() == 0.0
     }
 
+    /// What its end is called.
+    pub fn end_name(&self) -> &'static str {
+        if self.is_ball() { "ball" } else { "bottom" }
+    }
+
+    /// What the centre of its ball or corner is called.
+    pub fn centre_name(&self) -> &'static str {
+        if self.is_ball() { "ball centre" } else { "centre of the corner's arc" }
+    }
+
     /// Radius of the corner, a ball's own, mm: how far the tip lies below the centre of ball or
     /// disc.
     pub fn corner_mm(&self) -> f64 {

@@ -114,7 +114,12 @@ fn plan_cards(input: &ReportInput, cards: &mut String) {
         card(cards, "Stock", &format!("{} mm", f("/stock_mm")), "stays on the part");
     }
     let region = format!("{} – {} mm", f("/region_x_mm/0"), f("/region_x_mm/1"));
-    card(cards, "Region", &region, &format!("ball centres along the blade axis; end: {}", text(input, "/end_reason")));
+    card(
+        cards,
+        "Region",
+        &region,
+        &format!("{} along the blade axis; end: {}", input.tool.centre_name(), text(input, "/end_reason")),
+    );
     card(
         cards,
         "Narrowest channel",
@@ -156,7 +161,7 @@ fn check_cards(input: &ReportInput, cards: &mut String) {
     let asked = format!("{} asked for; 99 % at most {}", f("/scallop_asked_mm"), f("/scallop_p99_mm"));
     card(cards, "Greatest scallop", &format!("{} mm", f("/scallop_max_mm")), &asked);
     // Of a cutter with a corner neither the limit nor what stays uncut is measured.
-    let is_ball = !(value(input, "/disc_radius_mm") > 0.0);
+    let is_ball = input.tool.is_ball();
     if is_ball {
         card(cards, "Length over the limit", &f("/limit/ratio"), "inner turns beside the least that their area needs");
     }
@@ -166,7 +171,12 @@ fn check_cards(input: &ReportInput, cards: &mut String) {
         let uncut = value(input, "/uncut_area_mm2") > 0.0;
         card(cards, "Uncut", &format!("{} mm²", f("/uncut_area_mm2")), if uncut { &most } else { "" });
     }
-    card(cards, "Least clearance", &format!("{} mm", f("/clearance_mm")), "tool without ball");
+    card(
+        cards,
+        "Least clearance",
+        &format!("{} mm", f("/clearance_mm")),
+        &format!("tool without {}", input.tool.end_name()),
+    );
 }
 
 fn joined(parts: &[String]) -> String {

@@ -31,7 +31,8 @@ fn part(input: &ReportInput) -> String {
     let summary = |pointer: &str| figure(&input.summary, pointer);
     let region = match input.plan {
         Some(_) => format!(
-            "ball centres at {} to {} mm along the blade axis",
+            "{} at {} to {} mm along the blade axis",
+            input.tool.centre_name(),
             summary("/region_x_mm/0"),
             summary("/region_x_mm/1")
         ),
@@ -95,7 +96,7 @@ fn zero(input: &ReportInput) -> String {
 
 fn tool(input: &ReportInput) -> String {
     let (t, asked) = (input.tool, input.program.and_then(|p| p.asked.first()));
-    let centre = if t.is_ball() { "ball centre" } else { "centre of the corner's arc" };
+    let centre = t.centre_name();
     let mut rows = vec![
         ("Number", asked.map(|a| format!("T{}", a.tool_number)).unwrap_or_default()),
         ("Spindle", asked.map(|a| format!("{} 1/min", number(a.spindle_rpm))).unwrap_or_default()),
