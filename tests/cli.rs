@@ -225,7 +225,7 @@ fn plan_verify_post_and_preview_of_the_prism() {
     for threads in ["1", "2"] {
         // Fewer samples and longer chords than a user's: every command below reads and checks the
         // plan again.
-        let sets = ["region.start_mm=5", "path.scallop_mm=0.03", "path.chord_mm=0.002", "verify.surface_samples=20000"];
+        let sets = ["region.start_mm=5", "path.scallop_mm=0.1", "path.chord_mm=0.002", "verify.surface_samples=20000"];
         let keys = sets.map(|s| ["--set", s]).concat();
         let out = bladewright(&[&["--threads", threads, "plan", &model, "-o", threads], &keys[..]].concat(), d);
         assert_eq!(

@@ -46,6 +46,8 @@ pub(super) struct Determined {
     pub weakest: String,
     /// What the frame may be off, by leaving out groups of places: shift, µm, and turn, degrees.
     pub uncertainty: (f64, f64),
+    /// See [`Fit::bound_um`](super::Fit::bound_um).
+    pub bound_um: f64,
 }
 
 /// The lay bettered on many places, those off the part left out.
@@ -136,6 +138,9 @@ pub(super) fn determined(search: &Search, places: &[Place], lay: &Lay, huber_mm:
         loose: order.iter().filter(is_loose).map(|k| words(*k)).collect(),
         weakest: order.first().map_or_else(String::new, |k| words(*k)),
         uncertainty: jackknife(&task, &residuals, &normal, &right),
+        // |A⁻¹ Sᵀ e| of errors e is no more than their root mean square over the root of the least
+        // eigenvalue of A = Sᵀ S.
+        bound_um: 1000.0 * (task.mean_square_mm2(&residuals) / least.max(f64::MIN_POSITIVE)).sqrt(),
     }
 }
 

@@ -62,8 +62,8 @@ pub struct FitOptions {
     pub touching_mm: f64,
     /// Least share of the places between the first and the last contact that touch. Default 0.95.
     pub touching_share: f64,
-    /// Greatest condition of the normal equations. Default 1e5: beyond, rounding of words moves the
-    /// frame by tens of micrometres.
+    /// Greatest condition of the normal equations. Default 1e4: beyond, chords move the frame by
+    /// tens of micrometres.
     pub condition: f64,
     /// Least ratio of the next best residual to the best. Default 5.
     pub runner_up_ratio: f64,
@@ -77,7 +77,7 @@ impl Default for FitOptions {
             free_radius: false,
             touching_mm: TOUCHES_MM,
             touching_share: 0.95,
-            condition: 1e5,
+            condition: 1e4,
             runner_up_ratio: 5.0,
         }
     }
@@ -118,6 +118,9 @@ pub struct Fit {
     pub uncertainty_um: f64,
     /// Standard deviation of the turn, degrees.
     pub uncertainty_deg: f64,
+    /// Errors of the places whose root mean square is that of the residuals move the frame by no
+    /// more than this, whatever pattern they have: shift, and turn times the part's size, µm.
+    pub bound_um: f64,
 }
 
 /// Finds the frame of a program. The language of the first bench counts for all.
@@ -171,6 +174,7 @@ pub fn fit(text: &str, benches: &[Bench], blade: &Blade, options: &FitOptions, o
         by_shaft: ranked.by_shaft,
         uncertainty_um: determined.uncertainty.0,
         uncertainty_deg: determined.uncertainty.1,
+        bound_um: determined.bound_um,
     })
 }
 

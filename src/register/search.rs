@@ -121,14 +121,17 @@ impl Search<'_> {
     fn roughly(&self, grid: &Grid, tip: bool) -> Result<Vec<Lay>> {
         let [few, some] = [80, 300].map(|n| self.places.sampled(n));
         let (mesh, mm) = (Triangles::new(self.part), grid.step_mm);
+        let fewest = self.places.sampled(30);
         let first = Sieve::new(grid, &few, 0.5 * mm, 2.0 * mm);
-        let first = Sieve { rough_steps: 8, steps: 4, keep: 160, same_mm: 0.4 * mm, ..first };
+        let first = Sieve { rough_steps: 4, steps: 4, keep: 160, same_mm: 0.4 * mm, ..first };
+        let all = Sieve { places: &fewest, rough_steps: 4, steps: 0, keep: 2500, same_mm: 0.0, ..first };
         let on_grid = Sieve { keep: 32, same_mm: 0.2 * mm, ..Sieve::new(grid, &some, 0.15 * mm, mm) };
         let few_on_grid = Sieve { places: &few, ..on_grid };
         let on_mesh = Sieve { keep: 20, same_mm: 0.1 * mm, ..Sieve::new(&mesh, &some, 0.03 * mm, 0.5 * mm) };
         let few_on_mesh = Sieve { places: &few, ..on_mesh };
-        let mut lays = self.sieved(&on_grid, self.sieved(&first, self.guesses(&few, tip))?)?;
-        lays.extend(parallel::flat_map(&lays, |lay| self.swept(&on_grid, lay)));
+        let guesses = self.sieved(&all, self.guesses(&few, tip))?;
+        let mut lays = self.sieved(&on_grid, self.sieved(&first, guesses)?)?;
+        lays.extend(parallel::flat_map(&lays, |lay| self.swept(&few_on_grid, lay)));
         lays = self.sieved(&on_mesh, self.sieved(&on_grid, lays)?)?;
         // From where the mesh has led to, once more: grooves and fillets are narrower than cells.
         let other = |lay: &Lay| [self.swept(&few_on_grid, lay), self.turned(&few, lay)].concat();

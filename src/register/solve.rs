@@ -125,6 +125,12 @@ impl Task<'_> {
         (normal / count, right / count)
     }
 
+    /// Mean square of residuals, by weight, mm².
+    pub fn mean_square_mm2(&self, residuals: &[Option<Residual>]) -> f64 {
+        let square = |r: &Residual| self.robust(r.off_mm).1 * r.off_mm * r.off_mm;
+        residuals.iter().flatten().map(square).sum::<f64>() / residuals.len().max(1) as f64
+    }
+
     /// Goes down from a guess: where it ends, and the cost there, mm².
     pub fn descend(&self, from: &Lay, steps: usize) -> (Lay, f64) {
         let (mut lay, mut damping) = (*from, 1e-3);

@@ -98,6 +98,8 @@ fn is_back(fit: &Fit, moved: &Rigid, contacts: &[Contact]) {
     assert!(whole.rotation.angle().to_degrees() < 0.001, "{fit:?}");
     assert!(fit.touching_share > 0.99 && fit.rms_um < 1.0, "{fit:?}");
     assert!(fit.uncertainty_um < 2.0 && fit.uncertainty_deg < 0.003, "{fit:?}");
+    // Turns move no contact farther than the part's size.
+    assert!(1000.0 * off <= 2.0 * fit.bound_um, "{off} mm off: {fit:?}");
 }
 
 /// The airfoil of the camber model, above its fillet.
@@ -149,7 +151,12 @@ fn stock_and_another_ball_are_accounted_for() {
     };
     assert!((radius_mm - 2.0).abs() < 0.001, "{radius_mm}");
     assert!(e.to_string().contains("a ball of radius 2.000"), "{e}");
+    // A thinner blade and a greater ball are nearly the same as another place along the blade.
     let free = FitOptions { free_radius: true, ..FitOptions::default() };
+    let e = fitted(&text, centres, &blade, 1.5, &free).unwrap_err();
+    let Some(Infeasible::FrameNotDetermined { directions, .. }) = e.infeasible.as_deref() else { panic!("{e}") };
+    assert_eq!(directions, &["along x of the blade"]);
+    let free = FitOptions { condition: 1e5, ..free };
     let fit = fitted(&text, centres, &blade, 1.5, &free).unwrap();
     assert!((fit.radius_mm - 2.0).abs() < 0.001, "{fit:?}");
 }
@@ -236,18 +243,24 @@ fn work_offsets_are_found() {
     let (blade, contacts) = airfoil();
     let (tool, machine) = (tool(2.0), Machine::demo().unwrap());
     let offset = Vector::new(412.3, -77.125, 58.004);
-    let mut text = String::from("G90 G94 S6000 M3\nG0 A0 B20 F500\n");
-    // A lead that swings, so that the tool does not stay at one side of the part.
-    for (k, (centre, axis)) in contacts.iter().enumerate() {
-        let theta = axis.z.atan2(axis.y) + 0.4 * (k as f64 * 0.07).sin();
-        let at = machine.inverse(centre, theta, 20f64.to_radians(), tool.length_mm());
-        let [x, y, z] = machine.linear().map(|i| at[i]);
-        let a = at[machine.turning_axis()].to_degrees();
-        let g = if k == 0 { "G0" } else { "G1" };
-        let [x, y, z] = [x - offset.x, y - offset.y, z - offset.z];
-        writeln!(text, "{g} X{x:.3} Y{y:.3} Z{z:.3} A{a:.4}").unwrap();
-    }
-    let fit = fitted(&(text + "M30\n"), ISO, &blade, 2.0, &FitOptions::default()).unwrap();
+    let program = |swing_rad: f64| {
+        let mut text = String::from("G90 G94 S6000 M3\nG0 A0 B20 F500\n");
+        for (k, (centre, axis)) in contacts.iter().enumerate() {
+            let theta = axis.z.atan2(axis.y) + swing_rad * (k as f64 * 0.07).sin();
+            let at = machine.inverse(centre, theta, 20f64.to_radians(), tool.length_mm());
+            let [x, y, z] = machine.linear().map(|i| at[i]);
+            let a = at[machine.turning_axis()].to_degrees();
+            let g = if k == 0 { "G0" } else { "G1" };
+            let [x, y, z] = [x - offset.x, y - offset.y, z - offset.z];
+            writeln!(text, "{g} X{x:.3} Y{y:.3} Z{z:.3} A{a:.4}").unwrap();
+        }
+        text + "M30\n"
+    };
+    // With a lead that does not change the table keeps the wall turned the same way to the tool.
+    let e = fitted(&program(0.0), ISO, &blade, 2.0, &FitOptions::default()).unwrap_err();
+    let Some(Infeasible::FrameNotDetermined { directions, .. }) = e.infeasible.as_deref() else { panic!("{e}") };
+    assert_eq!(directions.len(), 1, "{e}");
+    let fit = fitted(&program(0.4), ISO, &blade, 2.0, &FitOptions::default()).unwrap();
     let off = (Vector::from(fit.zero.axes_mm) - offset).norm();
     assert!(off < 0.002, "{off}: {fit:?}");
     assert_eq!(fit.programmed, Programmed::Machine);
