@@ -95,7 +95,12 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
             Some(cuts.clone()),
         );
         let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
-        let name = |check: Check| Check { quantity: format!("tool {}: {}", tool + 1, check.quantity), ..check };
+        // Places are named as the rows number them, not as stretches pass them.
+        let place = |i: usize| order.get(i).map_or(i, |(_, k)| *k);
+        let name = |check: Check| {
+            let quantity = format!("tool {}: {}", tool + 1, check.quantity);
+            Check { quantity, row: check.row.map(place), ..check }
+        };
         checks.push(name(cuts::check(work.blade, &part, &EndWay::of_ball(&sweep), options)));
         checks.extend(cuts::check_obstacles(work.blade, work.obstacles, &EndWay::of_ball(&sweep), options).map(name));
         let heights = ridges(&part, &sweep, options.scallop_mm);
