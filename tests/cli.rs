@@ -418,25 +418,24 @@ fn planted_gouge_is_found(d: &Path) {
     assert_eq!(out.status.code(), Some(1), "a plan with a gouge was posted");
 }
 
-/// Every figure that the report shows is the file's, to the last digit shown.
-fn figures_are_those_of_the_files(out: &Path) {
+/// A file of the folder that holds JSON.
+fn json_file(out: &Path, name: &str) -> serde_json::Value {
+    let text = std::fs::read_to_string(out.join(format!("{name}.json"))).expect("readable");
+    serde_json::from_str(&text).expect("JSON")
+}
+
+/// Every figure that the report shows is that of one of these files, to the last digit shown; how
+/// many there are.
+pub fn figures_are_those_of(out: &Path, names: &[&str]) -> usize {
     let page = std::fs::read_to_string(out.join("report.html")).expect("readable");
-    let file = |name: &str| -> serde_json::Value {
-        let text = std::fs::read_to_string(out.join(format!("{name}.json"))).expect("readable");
-        serde_json::from_str(&text).expect("JSON")
-    };
-    let (summary, verify) = (file("summary"), file("verify"));
+    let files: Vec<_> = names.iter().map(|name| (*name, json_file(out, name))).collect();
     let mut count = 0;
     for part in page.split("data-figure=\"").skip(1) {
         let Some((from, rest)) = part.split_once("\">") else { continue };
         let Some((shown, _)) = rest.split_once("</span>") else { continue };
         let Some((name, pointer)) = from.split_once('/') else { continue };
-        let json = match name {
-            "summary" => &summary,
-            "verify" => &verify,
-            // The page's own script has such words too.
-            _ => continue,
-        };
+        // The page's own script has such words too.
+        let Some((_, json)) = files.iter().find(|(known, _)| *known == name) else { continue };
         let value = json.pointer(&format!("/{pointer}")).and_then(serde_json::Value::as_f64).expect(from);
         let number: f64 = shown.parse().expect(from);
         let (digits, power) = shown.split_once('e').unwrap_or((shown, "0"));
@@ -445,6 +444,12 @@ fn figures_are_those_of_the_files(out: &Path) {
         assert!((number - value).abs() <= 0.500_001 * unit.max(value.abs() * 5e-4), "{from}: {shown}, {value}");
         count += 1;
     }
+    count
+}
+
+fn figures_are_those_of_the_files(out: &Path) {
+    let count = figures_are_those_of(out, &["summary", "verify"]);
+    let verify = json_file(out, "verify");
     let checks = verify["checks"].as_array().map_or(0, Vec::len);
     assert!(count > 60 + 2 * checks, "{count} figures");
     assert!(verify["checks"].as_array().is_some_and(|c| c.iter().any(|c| c["name"] == "program-centre")));

@@ -705,6 +705,27 @@ fn the_commands_tables_are_the_plans() {
     let [one, two] = [0, 1].map(|k| figures["covered"][k].as_f64().expect("a share"));
     assert!(one > 0.25 && one < 0.5 && two > 0.2 && two < 0.5, "{one} {two}");
     assert!(std::fs::read_to_string(out.join("pinch.svg")).expect("a plot").contains("where it stands"));
+    // The report is named among the files, and shows the figures of the file.
+    assert!(String::from_utf8_lossy(&ran.stdout).lines().any(|line| line.ends_with("report.html")), "{ran:?}");
+    let checks = figures["checks"].as_array().map_or(0, Vec::len);
+    let shown = crate::cli::figures_are_those_of(&out, &["pinch"]);
+    assert!(shown > 30 + 2 * checks, "{shown} figures");
+    let page = std::fs::read_to_string(out.join("report.html")).expect("a page");
+    assert!(page.len() < 4_000_000 && page.contains(&format!("All {checks} checks passed")));
+}
+
+/// The report of a run stays.
+#[test]
+fn a_folder_with_a_run_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let manifest = r#"{ "schema_version": 1, "program": "", "build": "", "inputs": [], "job": {}, "stages": [],
+        "warnings": [], "outputs": {}, "status": "good" }"#;
+    std::fs::write(folder.path().join("manifest.json"), manifest).expect("written");
+    std::fs::write(folder.path().join("report.html"), "of the run").expect("written");
+    let ran = command(&[MODEL], folder.path());
+    assert_eq!(ran.status.code(), Some(2), "{ran:?}");
+    assert!(String::from_utf8_lossy(&ran.stderr).contains("holds a run, whose report.html would be replaced"));
+    assert_eq!(std::fs::read_to_string(folder.path().join("report.html")).expect("there"), "of the run");
 }
 
 #[test]

@@ -68,7 +68,7 @@ pub enum Verb {
     /// Rows for two tools that hold a blade between them: opposite places on both sides, and an
     /// angle of the table for each row at which both tools are clear.
     #[command(
-        after_help = "Examples:\n  bladewright pinch blade.step -o out/pinch\n  bladewright pinch job.toml -o out/pinch --set pinch.heights_mm=[20,80]\n\nWrites pairs.csv, the locations of both tools, pinch.json, pinch.svg and pinch.glb; for a machine with two\nheads a program in nine axes, too."
+        after_help = "Examples:\n  bladewright pinch blade.step -o out/pinch\n  bladewright pinch job.toml -o out/pinch --set pinch.heights_mm=[20,80]\n\nWrites pairs.csv, the locations of both tools, pinch.json, pinch.svg, pinch.glb and report.html; for a\nmachine with two heads a program in nine axes, too."
     )]
     Pinch(Pinch),
     /// Plan a family of blades: many models or parameters from one file, resumable, in shards.

@@ -6,7 +6,7 @@ use super::plan::draft_of;
 use super::progress::Terminal;
 use crate::artifact::report::Check;
 use crate::error::{ErrorKind, Result};
-use crate::observe::Observer;
+use crate::observe::{Observer, Recorder};
 use crate::plan::pinch::{Pinch, PinchProgrammed};
 use crate::run::{Loaded, RunFolder, pinch as files};
 use serde_json::json;
@@ -24,25 +24,29 @@ pub fn run(args: &args::Pinch, quiet: bool) -> Result<u8> {
 
 fn study(args: &args::Pinch, observer: &dyn Observer) -> Result<u8> {
     let mut folder = RunFolder::begin(&args.job.out)?;
-    let setup = Loaded::read(&draft_of(&args.job)?, observer)?.setup;
+    folder.refuse_beside_run("report.html")?;
+    let recorder = Recorder::new(observer);
+    let loaded = Loaded::read(&draft_of(&args.job)?, &recorder)?;
+    let setup = &loaded.setup;
     folder.add_job_of_study(&setup.job.to_toml()?)?;
     // What no control can have is said before rows are planned.
     setup.pinch_dialects()?;
-    let pinch = setup.pinch(observer)?;
-    let programmed = setup.pinch_program(&pinch, observer)?;
-    for (name, text) in files::tables(&setup, &pinch) {
+    let pinch = setup.pinch(&recorder)?;
+    let programmed = setup.pinch_program(&pinch, &recorder)?;
+    for (name, text) in files::tables(setup, &pinch) {
         folder.add(name, text)?;
     }
-    let figures = files::figures(&setup, &pinch, programmed.as_ref());
+    let figures = files::figures(setup, &pinch, programmed.as_ref());
     folder.add_json("pinch.json", &figures)?;
-    folder.add("pinch.svg", files::plot(&setup, &pinch))?;
+    folder.add("pinch.svg", files::plot(setup, &pinch))?;
     let motion = programmed.as_ref().map(|p| &p.motion);
-    folder.add("pinch.glb", files::scene(&setup, &pinch, motion)?)?;
+    folder.add("pinch.glb", files::scene(setup, &pinch, motion)?)?;
+    folder.add("report.html", files::report(&loaded, &pinch, motion, &figures, &recorder.warnings())?)?;
     print(&pinch, &figures);
     let mut passed = pinch.checks.iter().all(|c| c.passed);
     if let Some(programmed) = &programmed {
-        print_program(&pinch, programmed, setup.job.feed.feed_mm_min);
-        folder.add("pinch_axes.csv", files::axes(&setup, &programmed.motion))?;
+        print_program(programmed, figures.program.as_ref());
+        folder.add("pinch_axes.csv", files::axes(setup, &programmed.motion))?;
         passed &= programmed.checks.iter().all(|c| c.passed);
         for posted in &programmed.programs {
             // A program that is written is one that passed, as rows and motion have.
@@ -111,15 +115,14 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     print_failed(&pinch.checks);
 }
 
-fn print_program(pinch: &Pinch, programmed: &PinchProgrammed, feed_mm_min: f64) {
+fn print_program(programmed: &PinchProgrammed, figures: Option<&files::ProgramSummary>) {
     let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
-    let m = &programmed.motion;
-    let alone: f64 = m.alone_s.iter().sum();
-    let share = 100.0 * m.cutting_s / alone.max(f64::MIN_POSITIVE);
-    row("both tools cut", format!("{:.1} s, {share:.1} % of {alone:.1} s for one tool on both sides", m.cutting_s));
-    let longest = [0, 1].map(|k| pinch.rows.length_mm(k)).into_iter().fold(0.0, f64::max);
-    row("  at full feed all along", format!("{:.1} s", 60.0 * longest / feed_mm_min));
-    row("from row to row", format!("outside {:.1} mm of the blade axis", m.turning_mm));
+    if let Some(f) = figures {
+        let (share, alone) = (100.0 * f.share_of_one_after_the_other, f.one_after_the_other_s);
+        row("both tools cut", format!("{:.1} s, {share:.1} % of {alone:.1} s for one tool on both sides", f.cutting_s));
+        row("  at full feed all along", format!("{:.1} s", f.full_feed_s));
+    }
+    row("from row to row", format!("outside {:.1} mm of the blade axis", programmed.motion.turning_mm));
     print_failed(&programmed.checks);
     for posted in &programmed.programs {
         let files: Vec<&str> = posted.files.iter().map(|f| f.name.as_str()).collect();

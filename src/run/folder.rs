@@ -216,6 +216,20 @@ impl RunFolder {
         self.add(JOB, job)
     }
 
+    /// Refuses a folder that holds a run: the study's file of this name would take the place of the
+    /// run's.
+    ///
+    /// # Errors
+    /// Kind `Usage` where the folder holds a run.
+    pub fn refuse_beside_run(&self, name: &str) -> Result<()> {
+        if self.manifest().is_none() {
+            return Ok(());
+        }
+        let place = self.target.display();
+        Err(Error::usage(Stage::Output, format!("{place} holds a run, whose {name} would be replaced"))
+            .advise("give another folder with -o"))
+    }
+
     /// Adds the job of a run. What was studied of the very same job stays.
     ///
     /// # Errors

@@ -135,7 +135,7 @@ fn compared(folder: &RunFolder, summary: &Value) -> Option<Value> {
 }
 
 /// Where the run came from: labels and values.
-fn provenance(setup: &Setup, inputs: &[Input]) -> Vec<(String, String)> {
+pub(super) fn provenance(setup: &Setup, inputs: &[Input]) -> Vec<(String, String)> {
     let mut rows = vec![
         ("Program".to_owned(), program()),
         ("Build".to_owned(), build().to_owned()),

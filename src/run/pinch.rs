@@ -1,20 +1,26 @@
-//! Files of rows for two tools: tables, figures, a plot.
+//! Files of rows for two tools: tables, figures, a plot, a 3-D scene, the report.
 
 use std::fmt::Write;
 
-use crate::artifact::paired::{PairPlace, PinchMotion};
+use super::{Loaded, look};
+use crate::artifact::paired::{PairPlace, PinchMotion, StretchMotion};
 use crate::artifact::region::Area;
 use crate::artifact::report::Check;
 use crate::artifact::{PairedRows, Stand};
 use crate::error::Result;
+use crate::observe::Warning;
 use crate::plan::Setup;
 use crate::plan::pinch::{Pinch, PinchPosted, PinchProgrammed};
 use crate::verify::PinchFigures;
 use crate::write::draw::{HeldAngles, held_svg};
+use crate::write::preview::report::pinch::{PinchReport, PinchStretch};
+use crate::write::preview::report::{self, File};
 use crate::write::preview::{self, PinchKey, PinchScene};
 
 /// Keys of the animation, about.
 const MOST_KEYS: usize = 6000;
+/// Keys of the report's 3-D view, about.
+const REPORT_KEYS: usize = 20_000;
 /// A way down, up or across takes so long in the animation, s.
 const LINK_S: f64 = 1.0;
 
@@ -67,6 +73,12 @@ pub struct ProgramSummary {
     pub cutting_s: f64,
     /// Time that each tool would take for its side alone, s.
     pub alone_s: [f64; 2],
+    /// Both of these, one after the other, s.
+    pub one_after_the_other_s: f64,
+    /// What both tools take of that.
+    pub share_of_one_after_the_other: f64,
+    /// Time at full feed all along the longer rows, s.
+    pub full_feed_s: f64,
     /// The checks of the motion.
     pub checks: Vec<Check>,
     /// The programs.
@@ -110,12 +122,21 @@ pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed
         turned_deg: turned.to_degrees(),
         measured: pinch.figures.clone(),
         checks: pinch.checks.clone(),
-        program: programmed.map(|p| ProgramSummary {
-            cutting_s: p.motion.cutting_s,
-            alone_s: p.motion.alone_s,
-            checks: p.checks.clone(),
-            programs: p.programs.iter().map(posted).collect(),
-        }),
+        program: programmed.map(|p| program(setup, pinch, p)),
+    }
+}
+
+fn program(setup: &Setup, pinch: &Pinch, programmed: &PinchProgrammed) -> ProgramSummary {
+    let (motion, all_s) = (&programmed.motion, programmed.motion.alone_s.iter().sum::<f64>());
+    let longest_mm = [0, 1].map(|k| pinch.rows.length_mm(k)).into_iter().fold(0.0, f64::max);
+    ProgramSummary {
+        cutting_s: motion.cutting_s,
+        alone_s: motion.alone_s,
+        one_after_the_other_s: all_s,
+        share_of_one_after_the_other: motion.cutting_s / all_s.max(f64::MIN_POSITIVE),
+        full_feed_s: 60.0 * longest_mm / setup.job.feed.feed_mm_min,
+        checks: programmed.checks.clone(),
+        programs: programmed.programs.iter().map(posted).collect(),
     }
 }
 
@@ -276,22 +297,16 @@ fn locations(setup: &Setup, pinch: &Pinch, tool: usize) -> String {
     out
 }
 
-/// The part, the rows and both tools in motion as the bytes of a `.glb` file. Ways from row to row
-/// are those of the machine's two heads, else straight up and down again, and take a second each.
-///
-/// # Errors
-/// Those of the scene.
-pub fn scene(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>) -> Result<Vec<u8>> {
+/// Both tools over time, with about so many keys at most: the first and the last place of each
+/// stretch are among them, and both tools over them. Ways from row to row are those of the
+/// machine's two heads, else straight up and down again, and take a second each.
+fn keys(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>, most: usize) -> Vec<PinchKey> {
     let cones = setup.pinch_cones();
-    let rows = [0, 1].map(|j| {
-        let over = |p: &PairPlace| p.contacts[j].contact + p.contacts[j].normal * (0.004 * pinch.rows.radius_mm[j]);
-        pinch.rows.rows.iter().map(|row| pinch.rows.places[row.clone()].iter().map(over).collect()).collect()
-    });
     let usual_mm = setup.pinch_tools().map(|t| 4.0 * t.radius_mm);
-    let every = pinch.rows.places.len().div_ceil(MOST_KEYS).max(1);
+    let every = pinch.rows.places.len().div_ceil(most).max(1);
     let (mut keys, mut t_s) = (Vec::new(), 0.0);
-    for (n, held) in pinch.held.iter().enumerate() {
-        let own = motion.and_then(|m| m.stretches.get(n));
+    for (stretch, held) in pinch.held.iter().enumerate() {
+        let own = motion.and_then(|m| m.stretches.get(stretch));
         let stand = |k: usize, lifts_mm: [f64; 2]| {
             [0, 1].map(|j| {
                 let theta = held.theta_rad + if j == 0 { 0.0 } else { pinch.between_rad };
@@ -301,21 +316,38 @@ pub fn scene(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>) -> Resu
         };
         let lifts_mm = own.map_or([usual_mm; 2], |m| m.lifts_mm);
         let last = held.places.end - 1;
-        keys.push(PinchKey { t_s, stands: stand(held.places.start, lifts_mm[0]) });
+        keys.push(PinchKey { t_s, stretch, place: None, stands: stand(held.places.start, lifts_mm[0]) });
         t_s += LINK_S;
         let begin_s = t_s;
         for (i, k) in held.places.clone().enumerate().filter(|(i, k)| i % every == 0 || *k == last) {
             // By the machine's motion, else by the feed along the first tool's row.
-            t_s = match own.and_then(|m| Some(m.motion.t_s.get(i)? - m.motion.t_s.first()?)) {
+            // The last place ends the motion, which has a row more where there are two places.
+            let time = |m: &StretchMotion| match k == last {
+                true => m.motion.t_s.last().copied(),
+                false => m.motion.t_s.get(i).copied(),
+            };
+            t_s = match own.and_then(|m| Some(time(m)? - m.motion.t_s.first()?)) {
                 Some(s) => begin_s + s,
                 None => begin_s + way_mm(&pinch.rows.places[held.places.start..=k]) * 60.0 / setup.job.feed.feed_mm_min,
             };
-            keys.push(PinchKey { t_s, stands: stand(k, [0.0; 2]) });
+            keys.push(PinchKey { t_s, stretch, place: Some(k), stands: stand(k, [0.0; 2]) });
         }
         t_s += LINK_S;
-        keys.push(PinchKey { t_s, stands: stand(last, lifts_mm[1]) });
+        keys.push(PinchKey { t_s, stretch, place: None, stands: stand(last, lifts_mm[1]) });
         t_s += LINK_S;
     }
+    keys
+}
+
+/// The part, the rows and both tools in motion as the bytes of a `.glb` file.
+///
+/// # Errors
+/// Those of the scene.
+pub fn scene(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>) -> Result<Vec<u8>> {
+    let rows = [0, 1].map(|j| {
+        let over = |p: &PairPlace| p.contacts[j].contact + p.contacts[j].normal * (0.004 * pinch.rows.radius_mm[j]);
+        pinch.rows.rows.iter().map(|row| pinch.rows.places[row.clone()].iter().map(over).collect()).collect()
+    });
     let mesh = &setup.blade.part.mesh;
     let airfoil = setup.blade.regions.first(Area::Airfoil);
     let area = |t: u32| match airfoil.is_some_and(|r| r.patch.has(mesh, t)) {
@@ -330,8 +362,55 @@ pub fn scene(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>) -> Resu
         model_from_blade: &setup.blade.model_from_blade,
         tools: setup.pinch_tools(),
         rows,
-        keys: &keys,
+        keys: &keys(setup, pinch, motion, MOST_KEYS),
     })
+}
+
+/// The report as the text of a self-contained `.html` file. `loaded`: what was planned, with the
+/// files that it was read from; `figures`: those of `pinch.json`.
+///
+/// # Errors
+/// Those of the job's text and of the page.
+pub fn report(
+    loaded: &Loaded,
+    pinch: &Pinch,
+    motion: Option<&PinchMotion>,
+    figures: &PinchSummary,
+    warnings: &[Warning],
+) -> Result<String> {
+    let setup = &loaded.setup;
+    let asked = setup.pinch_settings();
+    report::pinch::html(&PinchReport {
+        title: &setup.blade.name,
+        blade: &setup.blade,
+        tools: setup.pinch_tools(),
+        leans_rad: setup.pinch_cones().map(|c| c.lean_rad),
+        between_rad: pinch.between_rad,
+        spindle_rpm: setup.pinch_spindles_rpm(),
+        machine: &setup.machine,
+        obstacles: &setup.obstacles,
+        rows: &pinch.rows,
+        stretches: &stretches(pinch),
+        motion,
+        keys: &keys(setup, pinch, motion, REPORT_KEYS),
+        max_angle_deg: asked.max_angle_deg,
+        line_distance_mm: asked.line_distance_mm,
+        figures: File { name: "pinch", json: &look::json_of(figures)? },
+        warnings,
+        job_toml: &setup.job.to_toml()?,
+        provenance: &look::provenance(setup, &loaded.inputs),
+    })
+}
+
+/// All stretches with what is free about the angles at which the table stands.
+fn stretches(pinch: &Pinch) -> Vec<PinchStretch> {
+    let all = pinch.held.iter().map(|held| PinchStretch {
+        row: held.row,
+        places: held.places.clone(),
+        held_rad: held.theta_rad,
+        free_rad: pinch.free_about(held),
+    });
+    all.collect()
 }
 
 /// Length of the first tool's way over places, mm.

@@ -7,11 +7,15 @@ import { plots, redrawAll } from './plot.js';
 import { View, minmax, path, placeOf, timeOf } from './scene.js';
 import { theme } from './theme.js';
 import * as turns from './turns.js';
+import * as channel from './channel.js';
+import * as pinch from './pinch.js';
 import * as scallop from './scallop.js';
 import * as sections from './sections.js';
 import * as program from './program.js';
 
 const P = data.scene.path;
+/** What a part of the path is called. */
+const turn = data.word || 'turn';
 let view = null;
 
 const drawn = () => { view?.theme(); redrawAll(); };
@@ -27,7 +31,7 @@ const words = i => {
   const of = k => P.quantities[k];
   const values = P.quantities.slice(1).map((q, k) => `${q.name} ${show(listOf(of(k + 1))[i])} ${q.unit}`);
   const deg = 180 / Math.PI;
-  return `turn ${path.turn[i]}, S ${show(path.turn_s[i])} mm · θ ${show(path.theta[i] * deg)}° in ${show(path.min[i] * deg)}° – ${show(path.max[i] * deg)}° · ${values.join(' · ')}`;
+  return `${turn} ${path.turn[i]}, S ${show(path.turn_s[i])} mm · θ ${show(path.theta[i] * deg)}° in ${show(path.min[i] * deg)}° – ${show(path.max[i] * deg)}° · ${values.join(' · ')}`;
 };
 const cache = new Map();
 function listOf(q) {
@@ -36,6 +40,8 @@ function listOf(q) {
 }
 
 const clock = t => `${Math.floor(t / 60)}:${(t % 60).toFixed(1).padStart(4, '0')}`;
+/** Where the first turn begins: before it tools may be lifted. */
+const begin = data.turns?.[0]?.from || 0;
 const total = path?.t.length ? path.t[path.t.length - 1] : 0;
 
 function follow(s, from) {
@@ -45,7 +51,7 @@ function follow(s, from) {
   if (from !== 'slider') $('along').value = total ? t / total : 0;
   const i = before(path.s, s);
   program.show(t);
-  $('along-out').textContent = `turn ${path.turn[i]}, S ${show(path.turn_s[i])} mm, ${clock(t)} of ${clock(total)} min`;
+  $('along-out').textContent = `${turn} ${path.turn[i]}, S ${show(path.turn_s[i])} mm, ${clock(t)} of ${clock(total)} min`;
 }
 
 let playing = null;
@@ -66,8 +72,11 @@ function play(on) {
   playing = requestAnimationFrame(step);
 }
 
+const TOOLS = data.scene.second
+  ? [['path', 'rows of tool 1', true], ['path 2', 'rows of tool 2', true], ['tool 1', 'tool 1', true], ['tool 2', 'tool 2', true]]
+  : [['path', 'path', true], ['leads', 'lead-in and lead-out', true], ['tool', 'tool', true]];
 const LAYERS = [
-  ['blade', 'blade', true], ['path', 'path', true], ['leads', 'lead-in and lead-out', true], ['tool', 'tool', true], ['uncut', 'uncut', true], ['cutter contacts', 'cutter contacts', false],
+  ['blade', 'blade', true], ...TOOLS, ['uncut', 'uncut', true], ['cutter contacts', 'cutter contacts', false],
   ['channel', 'channel limits', false], ['base vectors', 'base vectors', false], ['altered points', 'altered points', false],
   ['scallop', 'scallop map', false], ['machine', 'machine parts', false],
 ];
@@ -77,7 +86,7 @@ function legends() {
   const on = (name, otherwise) => $(`layer-${name}`)?.checked ?? otherwise;
   const q = P?.quantities[+$('colouring').value];
   const all = [
-    q && on('path', true) ? legend(q.name, q.unit, q.range, q.shown, listOf(q).some(v => v !== v)) : '',
+    q && (on('path', true) || on('path-2', false)) ? legend(q.name, q.unit, q.range, q.shown, listOf(q).some(v => v !== v)) : '',
     on('scallop', false) ? scallop.mapLegend() : '',
   ];
   $('scale').innerHTML = all.join('');
@@ -123,7 +132,7 @@ function controls() {
 
 function layers() {
   for (const [name, label, on] of LAYERS) {
-    const there = { path: view.lines, scallop: view.dots }[name] || view.layers.has(name);
+    const there = view.tools.some(t => t.way === name && t.lines) || (name === 'scallop' && view.dots) || view.layers.has(name);
     if (!there) continue;
     const id = `layer-${name.replaceAll(' ', '-')}`;
     const l = document.createElement('label');
@@ -166,6 +175,7 @@ async function start() {
     view.theme();
     await view.load();
     layers();
+    view.setPlace(begin);
     view.look('side');
     if (P) view.setColouring(+$('colouring').value);
   } catch (e) {
@@ -174,11 +184,14 @@ async function start() {
   }
   globalThis.bladewright = { view, cursor, plots };
   await program.read();
-  follow(0, 'start');
+  cursor.set(begin, 'start');
   view?.finish();
   document.documentElement.dataset.ready = String(Math.round(performance.now()));
   // The view answers already; the plots come one after another, so that it goes on answering.
-  for (const draw of [turns.start, scallop.drawHistogram, scallop.drawMap, sections.start]) {
+  const all = data.scene.second
+    ? [() => turns.start(pinch.draw, pinch.mark)]
+    : [() => turns.start(channel.draw, channel.mark), scallop.drawHistogram, scallop.drawMap, sections.start];
+  for (const draw of all) {
     await new Promise(done => setTimeout(done));
     draw();
   }

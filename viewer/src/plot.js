@@ -7,6 +7,8 @@ import { $, before, minus, show } from './basics.js';
 export const plots = new Map();
 const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const colourOf = s => style(`--${s.colour}`) || s.colour;
+/** Colours have six digits; two more make them pale. */
+const pale = name => `${style(`--${name}`)}22`;
 const dashes = { solid: [], dash: [7, 4], dot: [2, 3], long: [13, 4] };
 /** Farthest from the pointer that a point answers, px. */
 const REACH = 24;
@@ -34,7 +36,6 @@ const lineOf = (s, spec) => {
     stroke: colourOf(s),
     width: s.marks ? 0 : s.width || 1.5,
     dash: dashes[s.dash || 'solid'],
-    // Colours have six digits; two more make them pale.
     fill: s.bars ? `${colourOf(s)}59` : undefined,
     points: s.marks ? { show: true, size, ...dot } : { show: false },
     paths: s.marks ? () => null : s.bars ? uPlot.paths.bars({ size: [1], align: 1 }) : undefined,
@@ -99,7 +100,7 @@ function switches(keys, spec, series, hidden, u) {
  * A plot in a box.
  * spec: {x: label, y: label,
  *        series: [{name, x, y, colour, dash, width, bars, marks, hollow, quiet}],
- *        bands: [[key, key]], range, equal, extent, points, tip, say(rows, x),
+ *        bands: [[key, key, colour]], range, equal, extent, points, tip, say(rows, x),
  *        onMove(x, row), onPick(x, row), draw(u, context), legend()}
  * Series may have lists of x of their own, each in rising order. `bars` stand from their x to the
  * next. `marks` are points without a line, `hollow` ones are rings. With `points` the mark nearest
@@ -202,8 +203,8 @@ export function plot(id, spec) {
     legend: { show: false },
     scales: { x: { time: false, range: rangeOf(spec, 'x') }, y: { range: rangeOf(spec, 'y') } },
     series: [{ label: spec.x }, ...series.map(s => ({ ...lineOf(s, spec), show: !hidden.has(s.name), spanGaps: !same }))],
-    bands: (spec.bands || []).map(([a, b]) => [series.findIndex(s => s.key === a) + 1, series.findIndex(s => s.key === b) + 1])
-      .filter(([a, b]) => a && b).map(([a, b]) => ({ series: [a, b], fill: style('--fill') })),
+    bands: (spec.bands || []).map(([a, b, colour]) => [series.findIndex(s => s.key === a) + 1, series.findIndex(s => s.key === b) + 1, colour])
+      .filter(([a, b]) => a && b).map(([a, b, colour]) => ({ series: [a, b], fill: colour ? pale(colour) : style('--fill') })),
     axes: [{ ...axis, label: spec.x, labelSize: 18, size: 34, values: ticks }, { ...axis, label: spec.y, labelSize: 18, size: room, values: ticks }],
     cursor: {
       points: { size: 7, show: !series.some(s => s.bars) },

@@ -39,10 +39,10 @@ void main() {
 /** A line through points, coloured by a share from 0 to 1 at each; below 0: not known. */
 export class Ribbon extends Mesh {
   /**
-   * `x`, `y`, `z`: the points; `stops`: colours of the scale; `none`: where there is no value;
-   * `width` in pixels.
+   * `x`, `y`, `z`: the points; `gaps`: not 0 at points from which on nothing is drawn up to the
+   * next, or null; `stops`: colours of the scale; `none`: where there is no value; `width` in pixels.
    */
-  constructor(x, y, z, stops, none, width) {
+  constructor({ x, y, z, gaps }, stops, none, width) {
     const n = x.length;
     const at = new Float32Array(6 * (n + 2));
     for (let i = -1; i <= n; i++) {
@@ -66,6 +66,7 @@ export class Ribbon extends Mesh {
       vertexShader: vertex, fragmentShader: fragment(stops.length), side: DoubleSide, clipping: true,
     }));
     this.frustumCulled = false;
+    this.gaps = gaps;
     this.all = Uint32Array.from({ length: n }, (_, i) => i);
     this.few = this.all;
     this.ends = [0, n - 1];
@@ -103,8 +104,10 @@ export class Ribbon extends Mesh {
       const step = d.length();
       if (was && step > 0) angle += d.angleTo(was);
       if (step > 0) was = d;
-      // An arc that turns by an angle is off its chord by an eighth of angle times length.
-      if (kept[kept.length - 1] !== i - 1 && (length + step > apart || ((length + step) * angle) / 8 > off)) {
+      // An arc that turns by an angle is off its chord by an eighth of angle times length. A gap
+      // begins and ends where it does.
+      const edge = this.gaps && (this.gaps[i - 1] || this.gaps[i - 2]);
+      if (kept[kept.length - 1] !== i - 1 && (edge || length + step > apart || ((length + step) * angle) / 8 > off)) {
         kept.push(i - 1);
         [length, angle] = [0, 0];
       }
@@ -124,6 +127,8 @@ export class Ribbon extends Mesh {
     this.kept = kept;
     const index = new Uint32Array(6 * Math.max(0, kept.length - 1));
     for (let i = 0, o = 0; i + 1 < kept.length; i++, o += 6) {
+      // Pieces of no size are not drawn, and the number of all stays as it is.
+      if (this.gaps?.[kept[i]]) continue;
       const [a, b] = [2 * kept[i], 2 * kept[i + 1]];
       index[o] = a; index[o + 1] = a + 1; index[o + 2] = b; index[o + 3] = b; index[o + 4] = a + 1; index[o + 5] = b + 1;
     }

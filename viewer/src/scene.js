@@ -1,5 +1,5 @@
-// The 3-D view: the scene that the page carries as glTF, the path in colours, the tool where the
-// cursor is, two ways of motion.
+// The 3-D view: the scene that the page carries as glTF, the path of each tool in colours, the tools
+// where the cursor is, two ways of motion.
 //
 // Everything lies in the blade frame, mm, under `carrier`; what turns on the machine is the
 // carrier.
@@ -17,7 +17,20 @@ import { Ribbon } from './ribbon.js';
 const S = data.scene;
 const P = S.path;
 const pick = names => Object.fromEntries(names.map(n => [n, list(P?.[n])]));
+/** The path of the first tool. */
 export const path = P ? { ...pick(['x', 'y', 'z', 's', 'turn_s', 't', 'theta', 'min', 'max', 'row', ...(P.ix ? ['ix', 'iy', 'iz'] : [])]), turn: list(P.quantities[0].of) } : null;
+
+/**
+ * The tools: names of their layers and of their nodes in the scene, sizes, the places of their centres
+ * along the path, and either the lean or, by the first tool's lists, the axes. A second tool stands on
+ * from the first by the angle `over`.
+ */
+const tools = [{ ...S, of: P }, ...(S.second ? [{ ...S.second, of: P?.second }] : [])].map(({ radius, length, of }, k, all) => ({
+  name: all.length > 1 ? `tool ${k + 1}` : 'tool', node: all.length > 1 ? `tool_${k + 1}` : 'tool', way: k ? `path ${k + 1}` : 'path',
+  radius, length, lean: of?.b, over: of?.over || 0, ...Object.fromEntries(['x', 'y', 'z'].map(n => [n, list(of?.[n])])),
+}));
+/** From which points on no piece of the path is drawn, where tools are lifted between rows. */
+const lifted = P?.cuts == null ? null : list(P.cuts).map(v => 1 - v);
 
 /** Where between two points of the path a time or an arc length is. */
 const between = (rising, v) => {
@@ -47,10 +60,11 @@ export class View {
     this.camera = new PerspectiveCamera(30, 1, 1, 10000);
     this.carrier = new Group();
     this.carrier.matrixAutoUpdate = false;
-    this.tool = new Group();
-    this.tool.matrixAutoUpdate = false;
-    this.carrier.add(this.tool);
-    
+    this.tools = tools.map(t => ({ ...t, group: new Group(), place: null, lines: null }));
+    for (const { group } of this.tools) {
+      group.matrixAutoUpdate = false;
+      this.carrier.add(group);
+    }
     this.scene.add(this.carrier, this.camera, new AmbientLight(0xffffff, 1.1));
     const sun = new DirectionalLight(0xffffff, 2.4);
     sun.position.set(-0.6, 0.9, 1);
@@ -80,6 +94,12 @@ export class View {
     this.resize();
   }
 
+  /** The path of the first tool. */
+  get lines() { return this.tools[0].lines; }
+
+  /** Centre and axis of the first tool where it stands. */
+  get toolPlace() { return this.tools[0].place; }
+
   /** The glTF part of the page; resolves when it is shown. */
   async load() {
     const file = glb();
@@ -99,13 +119,14 @@ export class View {
         for (const m of meshes) this.prepare(m, child.name === 'blade');
       }
     }
-    if (nodes.tool) {
-      for (const part of [...nodes.tool.children]) {
-        this.tool.add(part);
-        if (part.name === 'head') this.layers.set('machine', [...(this.layers.get('machine') || []), part]);
+    for (const tool of this.tools) {
+      if (!nodes[tool.node]) continue;
+      for (const part of [...nodes[tool.node].children]) {
+        tool.group.add(part);
+        if (part.name.startsWith('head')) this.layers.set('machine', [...(this.layers.get('machine') || []), part]);
         part.traverse(m => { if (m.material) m.material = plain(m.material); });
       }
-      this.layers.set('tool', [this.tool]);
+      this.layers.set(tool.name, [tool.group]);
     }
     this.loaded = true;
     this.place();
@@ -130,7 +151,9 @@ export class View {
     const box = S.box || [[-1, -1, -1], [1, 1, 1]];
     const extent = (lists, fallback) => lists.map((l, k) => (l?.length ? [Math.min(...minmax(l)), Math.max(...minmax(l))] : [fallback[0][k], fallback[1][k]]));
     const blade = [0, 1, 2].map(k => [box[0][k], box[1][k]]);
-    const own = path?.x.length ? extent([path.x, path.y, path.z], box) : blade;
+    // Where tools are lifted between rows there is nothing to see.
+    const along = l => (lifted ? l.filter((_, i) => !lifted[i]) : l);
+    const own = path?.x.length ? extent(['x', 'y', 'z'].map(n => tools.flatMap(t => [...along(t[n])])), box) : blade;
     const diagonal = e => Math.hypot(...e.map(([a, b]) => b - a));
     const chosen = diagonal(blade) < 2.2 * diagonal(own) ? blade.map(([a, b], k) => [Math.min(a, own[k][0]), Math.max(b, own[k][1])]) : own;
     this.seen = chosen;
@@ -144,20 +167,22 @@ export class View {
     if (path?.x.length) {
       const at = between(path.s, this.s);
       theta = mix(path.theta, at);
-      const centre = new Vector3(mix(path.x, at), mix(path.y, at), mix(path.z, at));
-      const z = new Vector3(0, 0, 1);
-      if (path.ix) {
-        // Each location has a cone of its own: the tool axis itself is given, and the table turns
-        // with it.
-        const axis = new Vector3(mix(path.ix, at), mix(path.iy, at), mix(path.iz, at)).normalize();
-        theta = Math.atan2(axis.z, axis.y);
-        this.tool.matrix.compose(centre, new Quaternion().setFromUnitVectors(z, axis), new Vector3(1, 1, 1));
-        this.toolPlace = { centre, axis };
-      } else {
-        const lean = new Quaternion().setFromUnitVectors(z, axisOf(P.b, 0));
-        const turn = new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), theta);
-        this.tool.matrix.compose(centre, turn.multiply(lean), new Vector3(1, 1, 1));
-        this.toolPlace = { centre, axis: axisOf(P.b, theta) };
+      for (const tool of this.tools) {
+        const centre = new Vector3(mix(tool.x, at), mix(tool.y, at), mix(tool.z, at));
+        const z = new Vector3(0, 0, 1);
+        if (path.ix) {
+          // Each location has a cone of its own: the tool axis itself is given, and the table turns
+          // with it.
+          const axis = new Vector3(mix(path.ix, at), mix(path.iy, at), mix(path.iz, at)).normalize();
+          theta = Math.atan2(axis.z, axis.y);
+          tool.group.matrix.compose(centre, new Quaternion().setFromUnitVectors(z, axis), new Vector3(1, 1, 1));
+          tool.place = { centre, axis };
+        } else {
+          const lean = new Quaternion().setFromUnitVectors(z, axisOf(tool.lean, 0));
+          const turn = new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), theta + tool.over);
+          tool.group.matrix.compose(centre, turn.multiply(lean), new Vector3(1, 1, 1));
+          tool.place = { centre, axis: axisOf(tool.lean, theta + tool.over) };
+        }
       }
     }
     const [x, y, z] = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
@@ -188,7 +213,7 @@ export class View {
   setCut(x) {
     this.cut = x;
     const planes = x == null ? null : [this.plane];
-    for (const m of [...(this.clipped || []), this.lines?.material, this.dots?.material]) {
+    for (const m of [...(this.clipped || []), ...this.tools.map(t => t.lines?.material), this.dots?.material]) {
       if (m) { m.clippingPlanes = planes; m.needsUpdate = true; }
     }
     for (const m of this.insides || []) m.visible = x != null;
@@ -203,7 +228,7 @@ export class View {
   }
 
   setLayer(name, on) {
-    if (name === 'path' && this.lines) this.lines.visible = on;
+    for (const t of this.tools) if (name === t.way && t.lines) t.lines.visible = on;
     if (name === 'scallop' && this.dots) this.dots.visible = on;
     for (const n of this.layers.get(name) || []) n.visible = on;
     this.invalidate();
@@ -211,11 +236,14 @@ export class View {
 
   addPath() {
     if (!path?.x.length) return;
-    this.lines = new Ribbon(path.x, path.y, path.z, data.colours, data.no_colour, 2);
-    // Without a graphics card each piece of the line takes its time: from afar, fewer do, half a
-    // pixel off at most.
-    if (this.slow) this.lines.thin(path.x, path.y, path.z, this.reach / 600, this.reach / 75);
-    this.carrier.add(this.lines);
+    for (const tool of this.tools) {
+      const { x, y, z } = tool;
+      tool.lines = new Ribbon({ x, y, z, gaps: lifted }, data.colours, data.no_colour, 2);
+      // Without a graphics card each piece of the line takes its time: from afar, fewer do, half a
+      // pixel off at most.
+      if (this.slow) tool.lines.thin(x, y, z, this.reach / 600, this.reach / 75);
+      this.carrier.add(tool.lines);
+    }
     this.setTurns(...this.turns);
     this.setColouring(0);
   }
@@ -226,14 +254,15 @@ export class View {
     let last = path.turn.length - 1;
     while (last > first && path.turn[last] > to) last--;
     this.shown = [first, last];
-    this.lines.range(first, last);
+    for (const t of this.tools) t.lines?.range(first, last);
     this.invalidate();
   }
 
   /** Colours the path by its quantity `k`. */
   setColouring(k) {
     const q = P.quantities[k];
-    this.lines.colour(list(q.of).map(v => shareOf(v, q.shown)));
+    const shares = list(q.of).map(v => shareOf(v, q.shown));
+    for (const t of this.tools) t.lines?.colour(shares);
     this.invalidate();
   }
 
@@ -291,11 +320,14 @@ export class View {
   wanted() {
     const corners = box => [0, 1, 2, 3, 4, 5, 6, 7].map(k => new Vector3(...[0, 1, 2].map(i => box[i][(k >> i) & 1])));
     const out = corners(this.seen).map(p => p.applyMatrix4(this.carrier.matrixWorld));
-    if (this.toolPlace && this.layers.get('tool')?.some(n => n.visible)) {
-      // Of a long tool as much as the blade is large: the rest would make all of it small.
-      const length = this.mode === 'part' ? Math.min(S.length, 1.3 * this.reach) : S.length;
-      const { centre, axis } = this.toolPlace;
-      for (const l of [-S.radius, length]) out.push(centre.clone().addScaledVector(axis, l).applyMatrix4(this.carrier.matrixWorld));
+    for (const tool of this.tools) {
+      if (!tool.place || !tool.group.visible || !this.layers.has(tool.name)) continue;
+      // Of a long tool as much as the blade is large, and of two tools less: the rest would make
+      // all of it small.
+      const most = (this.tools.length > 1 ? 0.8 : 1.3) * this.reach;
+      const length = this.mode === 'part' ? Math.min(tool.length, most) : tool.length;
+      const { centre, axis } = tool.place;
+      for (const l of [-tool.radius, length]) out.push(centre.clone().addScaledVector(axis, l).applyMatrix4(this.carrier.matrixWorld));
     }
     for (const n of this.mode === 'machine' ? this.layers.get('machine') || [] : []) {
       if (!n.visible) continue;
@@ -314,22 +346,36 @@ export class View {
     if (from === 'tool' && axis) return new Vector3(axis.x, axis.y + 0.25, axis.z);
     // From the side of the tool, at an angle to it, and where nothing of the blade is before it;
     // the machine as far from its front as need be.
-    const around = from === 'front' || !axis || Math.hypot(axis.x, axis.z) < 0.2 ? 7 * deg : Math.atan2(axis.x, axis.z);
-    const turns = from === 'front' ? [0, 25, -25, 50, -50, 75, -75, 110, -110, 180] : [50, -50, 65, -65, 35, -35, 85, -85, 15, -15];
+    const level = from === 'front' || !axis || Math.hypot(axis.x, axis.z) < 0.2;
+    const around = level ? 7 * deg : this.besideTools();
+    const turns = from === 'front' ? [0, 25, -25, 50, -50, 75, -75, 110, -110, 180] : this.tools.length > 1 ? [0, 180, 15, -15, 165, -165, 30, -30, 150, -150] : [50, -50, 65, -65, 35, -35, 85, -85, 15, -15];
     const rise = (from === 'front' ? [17, 40] : [22, 45, 5]).map(r => r * deg);
     const all = rise.flatMap(r => turns.map(t => at(around + t * deg, r)));
     return (this.toolPlace && all.find(way => this.clear(way))) || all[0];
   }
 
-  /** Whether the blade leaves the lower end of the tool in sight of an eye far off that way. */
+  /**
+   * The way round, rad, from which one tool is looked at; of two tools the way midway between them on
+   * the side where that is farther from both.
+   */
+  besideTools() {
+    const [first, second] = this.tools.map(({ place }) => {
+      const axis = place.axis.clone().transformDirection(this.carrier.matrixWorld);
+      return Math.atan2(axis.x, axis.z);
+    });
+    if (second === undefined) return first;
+    const half = ((second - first + 2 * Math.PI) % (2 * Math.PI)) / 2;
+    return first + half + (half < Math.PI / 2 ? Math.PI : 0);
+  }
+
+  /** Whether the blade leaves the lower ends of all tools in sight of an eye far off that way. */
   clear(way) {
     const blade = this.layers.get('blade')?.[0];
     if (!blade) return true;
-    const { centre, axis } = this.toolPlace;
-    return [0, 2.5].every(radii => {
-      const p = centre.clone().addScaledVector(axis, radii * S.radius).applyMatrix4(this.carrier.matrixWorld);
+    return this.tools.every(({ place: { centre, axis }, radius }) => [0, 2.5].every(radii => {
+      const p = centre.clone().addScaledVector(axis, radii * radius).applyMatrix4(this.carrier.matrixWorld);
       return !this.ray(blade, p, way);
-    });
+    }));
   }
 
   /** Whether a ray meets the faces of a node on the side that they are seen from. */
@@ -381,14 +427,17 @@ export class View {
    * pixels; −1 without one.
    */
   nearest(e) {
-    if (!path || !this.lines?.visible) return -1;
+    const seen = this.tools.filter(t => t.lines?.visible);
+    if (!path || !seen.length) return -1;
     const r = this.canvas.getBoundingClientRect();
     const [px, py] = [e.clientX - r.left, e.clientY - r.top];
     const m = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).multiply(this.carrier.matrixWorld).elements;
     const within = e.pointerType === 'touch' ? 18 : 7;
     let [best, depth] = [-1, Infinity];
-    for (let i = this.shown[0]; i <= this.shown[1]; i++) {
-      const [x, y, z] = [path.x[i], path.y[i], path.z[i]];
+    for (let k = this.shown[0] * seen.length; k < (this.shown[1] + 1) * seen.length; k++) {
+      const [i, t] = [Math.floor(k / seen.length), seen[k % seen.length]];
+      if (lifted?.[i]) continue;
+      const [x, y, z] = [t.x[i], t.y[i], t.z[i]];
       if (this.cut != null && x > this.cut) continue;
       const w = m[3] * x + m[7] * y + m[11] * z + m[15];
       const u = ((m[0] * x + m[4] * y + m[8] * z + m[12]) / w + 1) * 0.5 * r.width;
@@ -427,7 +476,8 @@ export class View {
   /** Draws, once everything is there. */
   render() {
     if (!this.loaded) return;
-    if (this.slow) this.lines?.fine(this.camera.position.distanceTo(this.controls.target) < 0.3 * this.far);
+    const near = this.camera.position.distanceTo(this.controls.target) < 0.3 * this.far;
+    if (this.slow) for (const t of this.tools) t.lines?.fine(near);
     if (this.renderer.getPixelRatio() !== this.ratio) this.renderer.setPixelRatio(this.ratio);
     this.renderer.render(this.scene, this.camera);
     clearTimeout(this.rest);

@@ -11,27 +11,11 @@ import { mkdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { launch, open } from './browser.mjs';
+import { figures, look, plays, set } from './page.mjs';
 
 const READY_MS = +(process.env.READY_MS || 3000);
 const shots = process.env.SHOTS;
 if (shots) mkdirSync(shots, { recursive: true });
-
-/** How many colours the canvas shows, and a hash of its pixels. */
-const look = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
-  const c = document.getElementById('scene');
-  const gl = c.getContext('webgl2');
-  const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
-  const p = new Uint8Array(4 * w * h);
-  gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
-  const colours = new Set();
-  let hash = 0;
-  for (let i = 0; i < p.length; i += 4) {
-    const v = (p[i] << 16) | (p[i + 1] << 8) | p[i + 2];
-    colours.add(v);
-    hash = (Math.imul(hash, 31) + v) | 0;
-  }
-  done({ colours: colours.size, hash });
-}))));
 
 /** The canvas' picture changes by an action, at once or, where a machine is busy, soon. */
 async function changes(page, what, act) {
@@ -44,46 +28,6 @@ async function changes(page, what, act) {
     await page.waitForTimeout(250);
   }
   assert.fail(`${what} does not change the 3-D view`);
-}
-
-/** Starts and stops the motion, which moves the place and says so. */
-async function plays(page, toggle) {
-  // From the start and slowly, so that the end is far.
-  await page.selectOption('#speed', '1');
-  await set(page, 'along', 0.1);
-  const from = +(await page.inputValue('#along'));
-  await toggle();
-  assert.equal(await page.getAttribute('#play', 'aria-pressed'), 'true');
-  await page.waitForFunction(from => +document.getElementById('along').value !== from, from, { timeout: 20000 });
-  await toggle();
-  assert.equal(await page.getAttribute('#play', 'aria-pressed'), 'false');
-}
-
-const set = (page, id, value, event = 'input') => page.evaluate(([id, value, event]) => {
-  const e = document.getElementById(id);
-  e.value = value;
-  e.dispatchEvent(new Event(event, { bubbles: true }));
-}, [id, value, event]);
-
-const pointer = (json, path) => path.split('/').slice(1).reduce((v, k) => v?.[k], json);
-
-/** What is shown is the file's number, to the last digit shown. */
-async function figures(page, folder) {
-  const cells = await page.$$eval('[data-figure]', all => all.map(e => [e.dataset.figure, e.textContent]));
-  assert.ok(cells.length > 60, `only ${cells.length} figures`);
-  const files = {};
-  for (const [from, text] of cells) {
-    const [name, ...path] = from.split('/');
-    files[name] ??= JSON.parse(readFileSync(join(folder, `${name}.json`), 'utf8'));
-    const value = pointer(files[name], `/${path.join('/')}`);
-    if (text === '–') { assert.equal(value ?? null, null, `${from} is not shown`); continue; }
-    const shown = Number(text);
-    const [digits, power] = text.split('e');
-    const unit = 10 ** ((Number(power) || 0) - (digits.split('.')[1]?.length || 0));
-    assert.ok(Math.abs(shown - value) <= 0.5000001 * Math.max(unit, Math.abs(value) * 1e-4 * 5), `${from}: ${text} shown, ${value} in the file`);
-    assert.ok(Number.isInteger(value) ? shown === value || Math.abs(value) >= 1e4 : true, `${from}: ${text}, ${value}`);
-  }
-  return cells.length;
 }
 
 /** Play and slider are seen without scrolling. */
@@ -159,7 +103,7 @@ async function desktop(browser, folder, url) {
   await playsAboveTheFold(page, 900);
   await toolInSight(page, 'the first look');
   if (shots) await page.screenshot({ path: join(shots, `${name}-first.png`) });
-  const shown = await figures(page, folder);
+  const shown = await figures(page, folder, 60);
   const verify = JSON.parse(readFileSync(join(folder, 'verify.json'), 'utf8'));
   assert.equal(await page.locator('#checks tbody tr').count(), verify.checks.length, 'every check has its row');
 

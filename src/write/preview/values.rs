@@ -40,7 +40,8 @@ pub fn spanned(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
 }
 
 impl Values {
-    fn new(key: &'static str, name: &'static str, unit: &'static str, of: Vec<f64>) -> Self {
+    /// Values with their range. `unit` is empty for counts.
+    pub fn new(key: &'static str, name: &'static str, unit: &'static str, of: Vec<f64>) -> Self {
         let finite = of.iter().copied().filter(|v| v.is_finite());
         let [lo, hi] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| [lo.min(v), hi.max(v)]);
         let shown = spanned(of.iter().copied());

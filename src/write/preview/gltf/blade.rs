@@ -9,7 +9,7 @@ use json::scene::Node;
 use serde_json::json;
 
 use super::glb::Glb;
-use super::{Detail, Scene, mesh_node, triple};
+use super::{mesh_node, triple};
 use crate::artifact::Blade;
 use crate::artifact::region::Area;
 use crate::error::Result;
@@ -18,15 +18,14 @@ use crate::geometry::brep::SurfaceKind;
 use crate::geometry::mesh::Mesh;
 use crate::write::preview::thin::thinned;
 
-/// The node, or `None` where the part has no triangles.
-pub(super) fn node(glb: &mut Glb, scene: &Scene, detail: &Detail) -> Result<Option<Index<Node>>> {
-    let blade = scene.blade;
-    let (mesh, cell) = thinned(&blade.part.mesh, detail.triangles);
+/// The node with about so many triangles at most, or `None` where the part has none.
+pub(super) fn node(glb: &mut Glb, blade: &Blade, triangles: usize, crease_deg: f64) -> Result<Option<Index<Node>>> {
+    let (mesh, cell) = thinned(&blade.part.mesh, triangles);
     let mesh = mesh.moved(&blade.model_from_blade);
     if mesh.triangles.is_empty() {
         return Ok(None);
     }
-    let normals = corner_normals(&mesh, scene.options.crease_deg.to_radians().cos());
+    let normals = corner_normals(&mesh, crease_deg.to_radians().cos());
     let mut by_kind: BTreeMap<Option<SurfaceKind>, Vec<usize>> = BTreeMap::new();
     for t in 0..mesh.triangles.len() {
         by_kind.entry(kind(blade, mesh.face(t))).or_default().push(t);

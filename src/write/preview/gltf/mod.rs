@@ -56,7 +56,7 @@ use crate::machine::Machine;
 use crate::tool::Tool;
 pub use deviation::deviation;
 use glb::Glb;
-pub use pinch::{PinchKey, PinchScene, pinch};
+pub use pinch::{PinchKey, PinchScene, pinch, pinch_parts};
 
 /// How large the file may be and how it is played.
 #[derive(Clone, Debug, PartialEq)]
@@ -166,7 +166,7 @@ pub fn gltf(scene: &Scene) -> Result<Vec<u8>> {
 fn built(scene: &Scene, detail: &Detail) -> Result<Vec<u8>> {
     let mut glb = Glb::new(scene.options.rounded);
     let mut on_table = Vec::new();
-    on_table.extend(blade::node(&mut glb, scene, detail)?);
+    on_table.extend(blade::node(&mut glb, scene.blade, detail.triangles, scene.options.crease_deg)?);
     on_table.extend(uncut::node(&mut glb, scene)?);
     on_table.extend(marks::altered_points(&mut glb, scene)?);
     let (mut children, mut animations) = (Vec::new(), Vec::new());

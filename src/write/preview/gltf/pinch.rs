@@ -8,9 +8,9 @@ use serde_json::json;
 
 use super::glb::Glb;
 use super::motion::Track;
-use super::{GltfOptions, blade, empty_node, extras, mesh_node, motion, single, tool, triple};
-use crate::artifact::Stand;
+use super::{Detail, GltfOptions, blade, empty_node, extras, group, mesh_node, motion, single, tool, triple};
 use crate::artifact::region::Area;
+use crate::artifact::{Blade, Stand};
 use crate::error::Result;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Rigid};
@@ -23,12 +23,21 @@ const TRIANGLES: usize = 150_000;
 const PLAYED_S: f64 = 90.0;
 /// Colours of the rows of tool 1 and tool 2.
 const ROWS: [(&str, [f32; 3]); 2] = [("rows of tool 1", [0.0, 0.17, 0.44]), ("rows of tool 2", [0.66, 0.11, 0.0])];
+/// Colours of both tools: those of their rows, paler towards the spindle.
+const LOOKS: [tool::Look; 2] = [
+    tool::Look { end: [0.0, 0.17, 0.44], shank: [0.09, 0.45, 0.80], holder: [0.10, 0.25, 0.42] },
+    tool::Look { end: [0.66, 0.11, 0.0], shank: [0.90, 0.42, 0.13], holder: [0.38, 0.17, 0.09] },
+];
 
 /// Where both tools stand at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PinchKey {
     /// Time, s.
     pub t_s: f64,
+    /// The stretch of a row, from 0.
+    pub stretch: usize,
+    /// The place in the rows where both tools cut; `None`: both are lifted from it.
+    pub place: Option<usize>,
     /// Tool 1 and tool 2.
     pub stands: [Stand; 2],
 }
@@ -49,6 +58,29 @@ pub struct PinchScene<'a> {
     pub rows: [Vec<Vec<Point>>; 2],
     /// Both tools over time, which rises.
     pub keys: &'a [PinchKey],
+}
+
+/// Name of a tool's node, by its number from 0.
+fn tool_name(tool: usize) -> String {
+    format!("tool {}", tool + 1)
+}
+
+/// The part and both tools without rows and motion, as GLB: for a viewer that has these itself. The
+/// part is the node `blade` of `workpiece`, in the model frame, mm; `tool 1` and `tool 2` stand at
+/// the origin.
+///
+/// # Errors
+/// As [`super::gltf()`].
+pub fn pinch_parts(blade: &Blade, tools: [&Tool; 2], options: &GltfOptions) -> Result<Vec<u8>> {
+    let mut glb = Glb::new(options.rounded);
+    let triangles = Detail::of(options.budget_bytes).triangles;
+    let part = blade::node(&mut glb, blade, triangles, options.crease_deg)?.into_iter().collect();
+    let mut children = vec![group(&mut glb, "workpiece", part, &json!({ "what": "all that the table turns" }))];
+    for (k, look) in LOOKS.iter().enumerate() {
+        children.push(tool::alone(&mut glb, tools[k], &tool_name(k), look)?);
+    }
+    let root = group(&mut glb, "model frame, mm", children, &json!({ "frame": "model frame of the CAD file, mm" }));
+    glb.finish(root, Vec::new())
 }
 
 /// The scene as GLB.
@@ -90,7 +122,7 @@ pub fn pinch(scene: &PinchScene) -> Result<Vec<u8>> {
     }
     let input = glb.times(&times);
     for k in 0..2 {
-        let node = tool::alone(&mut glb, scene.tools[k], &format!("tool {}", k + 1))?;
+        let node = tool::alone(&mut glb, scene.tools[k], &tool_name(k), &LOOKS[k])?;
         let mut track = Track::default();
         for key in &kept {
             let stand = &key.stands[k];

@@ -21,7 +21,7 @@ const BALL: u32 = 16;
 /// begins.
 pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<Node>> {
     let tool = scene.tool;
-    let mut children = part_nodes(glb, tool)?;
+    let mut children = part_nodes(glb, tool, &LOOK)?;
     children.push(super::machine::head(glb, plan, scene)?);
     let note = if tool.is_ball() {
         json!({
@@ -44,17 +44,17 @@ pub(super) fn node(glb: &mut Glb, plan: &Plan, scene: &Scene) -> Result<Index<No
     Ok(node)
 }
 
-/// A tool without a machine's head, in no place yet.
-pub(super) fn alone(glb: &mut Glb, tool: &Tool, name: &str) -> Result<Index<Node>> {
-    let children = part_nodes(glb, tool)?;
+/// A tool without a machine's head, in no place yet, in colours of its own.
+pub(super) fn alone(glb: &mut Glb, tool: &Tool, name: &str, look: &Look) -> Result<Index<Node>> {
+    let children = part_nodes(glb, tool, look)?;
     Ok(super::group(glb, name, children, &json!({ "origin": "ball centre", "z": "towards the spindle" })))
 }
 
 /// A node for each part of a tool.
-fn part_nodes(glb: &mut Glb, tool: &Tool) -> Result<Vec<Index<Node>>> {
+fn part_nodes(glb: &mut Glb, tool: &Tool, look: &Look) -> Result<Vec<Index<Node>>> {
     let mut out = Vec::new();
     for (name, rings) in &parts(tool) {
-        let shown = revolved(glb, name, look(name), rings)?;
+        let shown = revolved(glb, name, look.of(name), rings)?;
         out.push(mesh_node(glb, name, vec![shown], json!({ "part_of": "tool" })));
     }
     Ok(out)
@@ -97,11 +97,26 @@ fn end(tool: &Tool) -> Vec<ProfileRing> {
     bottom.into_iter().chain(arc).collect()
 }
 
-fn look(name: &str) -> [f32; 3] {
-    match name {
-        "ball" | "corner" => [0.80, 0.25, 0.02],
-        "taper" | "shank" => [0.70, 0.45, 0.05],
-        _ => [0.10, 0.25, 0.42],
+/// Colours of a tool, linear RGB.
+pub(super) struct Look {
+    /// What cuts.
+    pub(super) end: [f32; 3],
+    /// Taper and shank.
+    pub(super) shank: [f32; 3],
+    /// Holder.
+    pub(super) holder: [f32; 3],
+}
+
+/// A tool that is the only one.
+const LOOK: Look = Look { end: [0.80, 0.25, 0.02], shank: [0.70, 0.45, 0.05], holder: [0.10, 0.25, 0.42] };
+
+impl Look {
+    fn of(&self, part: &str) -> [f32; 3] {
+        match part {
+            "ball" | "corner" => self.end,
+            "taper" | "shank" => self.shank,
+            _ => self.holder,
+        }
     }
 }
 

@@ -54,7 +54,7 @@ fn ranges(plan: &Plan) -> Vec<Range<usize>> {
 }
 
 /// Cuts a turn into at most `most` stretches.
-fn stretches(range: &Range<usize>, most: usize) -> Vec<Range<usize>> {
+pub(super) fn stretches(range: &Range<usize>, most: usize) -> Vec<Range<usize>> {
     let count = range.len();
     let pieces = most.clamp(1, count.max(1));
     (0..pieces)
@@ -118,21 +118,23 @@ fn one_turn(
 
 /// Times of a turn, from its start, and for each axis position at the start of each stretch and of
 /// velocity, acceleration and jerk the one of greatest size in it.
-fn motion_of(
+/// `counted`: an axis that is shown from the start of the range on; the others are shown where
+/// they are.
+pub(super) fn motion_of(
     motion: &AxisMotion,
     machine: &Machine,
-    range: &Range<usize>,
+    counted: Option<usize>,
     pieces: &[Range<usize>],
     pack: &mut Pack,
 ) -> Value {
-    let start = motion.t_s.get(range.start).copied().unwrap_or(0.0);
-    let first = motion.position.get(range.start).unwrap_or_default();
+    let begin = pieces.first().map_or(0, |p| p.start);
+    let start = motion.t_s.get(begin).copied().unwrap_or(0.0);
+    let first = motion.position.get(begin).unwrap_or_default();
     let t = pack.list(TIME, pieces.iter().map(|p| motion.t_s.get(p.start).map_or(f64::NAN, |t| t - start)));
     let all = machine.axes();
     let axes = (0..first.len()).map(|axis| {
         let scale = all[axis].scale();
-        // What turns the blade is shown from the turn's start on, the others where they are.
-        let zero = if axis == machine.turning_axis() { first[axis] } else { 0.0 };
+        let zero = if counted == Some(axis) { first[axis] } else { 0.0 };
         let at = |p: &Range<usize>| motion.position.get(p.start).map_or(f64::NAN, |r| (r[axis] - zero) * scale);
         let mut peak = |rows: &AxisRows| {
             let greatest = |p: &Range<usize>| {
@@ -153,16 +155,23 @@ fn axes(plan: &Plan, input: &ReportInput, pack: &mut Pack) -> Value {
     let ranges = ranges(plan);
     let most = (AXIS_POINTS / ranges.len().max(1)).clamp(40, 400);
     let baseline = input.baseline.and_then(|b| b.motion);
-    let axes = input.machine.axes();
+    let turning = Some(input.machine.turning_axis());
     let mut turns = Vec::new();
     for range in &ranges {
         let pieces = stretches(range, most);
         let s = pack.list(DIGITS, pieces.iter().map(|p| plan.toolpath.locations[p.start].s_mm));
-        let own = motion_of(&plan.motion, input.machine, range, &pieces, pack);
-        let other = baseline.map(|m| motion_of(m, input.machine, range, &pieces, pack));
+        let own = motion_of(&plan.motion, input.machine, turning, &pieces, pack);
+        let other = baseline.map(|m| motion_of(m, input.machine, turning, &pieces, pack));
         turns.push(json!({ "s": s, "plan": own, "baseline": other }));
     }
+    axes_with(input.machine, turning, turns)
+}
+
+/// The axes of a machine with their motion in turns; `counted` as in [`motion_of`].
+pub(super) fn axes_with(machine: &Machine, counted: Option<usize>, turns: Vec<Value>) -> Value {
+    let axes = machine.axes();
     json!({
+        "counted": counted,
         "names": axes.iter().map(|a| &a.name).collect::<Vec<_>>(),
         "units": axes.iter().map(Axis::sign).collect::<Vec<_>>(),
         "limits": axes.iter().map(|a| (a.limits, a.scale())).map(|(l, scale)| json!([

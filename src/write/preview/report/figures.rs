@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::{ReportInput, escape, figure, number};
 
-fn card(out: &mut String, label: &str, value: &str, note: &str) {
+pub(super) fn card(out: &mut String, label: &str, value: &str, note: &str) {
     out.push_str(&format!(
         "<div class=\"card\"><dt>{label}</dt><dd>{value}{}</dd></div>\n",
         if note.is_empty() { String::new() } else { format!("<small>{note}</small>") }
@@ -179,11 +179,11 @@ fn check_cards(input: &ReportInput, cards: &mut String) {
     );
 }
 
-fn joined(parts: &[String]) -> String {
+pub(super) fn joined(parts: &[String]) -> String {
     parts.iter().filter(|p| !p.is_empty()).cloned().collect::<Vec<_>>().join("; ")
 }
 
-fn minutes(seconds: f64) -> String {
+pub(super) fn minutes(seconds: f64) -> String {
     if !(seconds.is_finite() && seconds >= 60.0) {
         return String::new();
     }
@@ -231,7 +231,7 @@ fn count(input: &ReportInput, pointer: &str) -> usize {
     input.summary.json.pointer(pointer).and_then(Value::as_array).map_or(0, Vec::len)
 }
 
-fn row(name: &str, cells: impl Iterator<Item = String>) -> String {
+pub(super) fn row(name: &str, cells: impl Iterator<Item = String>) -> String {
     let cells: String = cells.map(|c| format!("<td class=\"n\">{c}</td>")).collect();
     format!("<tr><th scope=\"row\">{name}</th>{cells}</tr>\n")
 }

@@ -32,6 +32,7 @@ mod data;
 mod figures;
 mod pack;
 mod payload;
+pub mod pinch;
 mod program;
 mod scallop;
 mod scene;
@@ -118,31 +119,72 @@ pub fn html(input: &ReportInput) -> Result<String> {
 /// # Errors
 /// `InputOutput` where the program's lines cannot be encoded.
 pub fn page(input: &ReportInput, payload: &Payload) -> Result<String> {
+    let head = tables::Head {
+        title: input.title,
+        blade: &input.blade.name,
+        machine: &input.machine.name,
+        checks: input.checks.map(|r| r.checks.iter().collect()).unwrap_or_default(),
+        forced: input.forced,
+        nav: &NAV,
+    };
+    let sections = [
+        filled(include_str!("view.html"), &PLAN_WORDS),
+        figures::figures(input),
+        sheet::section(input),
+        tables::checks(input),
+        include_str!("channel.html").to_owned(),
+        filled(include_str!("axes.html"), &PLAN_WORDS),
+        channel::section(input),
+        figures::axes(input),
+        scallop::section(input),
+        figures::comparison(input),
+        include_str!("sections.html").to_owned(),
+        tables::warnings(input.warnings),
+        tables::provenance(input.blade, input.job_toml, input.provenance),
+    ];
+    Ok(shell(&head, &sections, payload, &program::element(input.program)?))
+}
+
+/// Sections of the page that can be gone to, and their names.
+const NAV: [(&str, &str); 10] = [
+    ("view", "3-D view"),
+    ("figures", "Figures"),
+    ("sheet", "Setup"),
+    ("checks", "Checks"),
+    ("channel", "Channel"),
+    ("axes", "Axes"),
+    ("scallop", "Scallop"),
+    ("compare", "Compared"),
+    ("sections", "Sections"),
+    ("job", "Job"),
+];
+
+/// What parts of a path and tools are called where a page of one path says it.
+const PLAN_WORDS: [(&str, &str); 5] =
+    [("turn", "turn"), ("turns", "turns"), ("Turns", "Turns"), ("tools", "the tool"), ("first", "the tool")];
+
+/// A piece of a page with its words: `{turn}` is what the list has for `turn`.
+fn filled(piece: &str, words: &[(&str, &str)]) -> String {
+    words.iter().fold(piece.to_owned(), |text, (key, word)| text.replace(&format!("{{{key}}}"), word))
+}
+
+/// A whole page: its head, its sections, what its script draws, and the element with the lines of a
+/// program.
+fn shell(head: &tables::Head, sections: &[String], payload: &Payload, program: &str) -> String {
     let mut page = String::with_capacity(payload.len() + 1024 * 1024);
     page.push_str("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     page.push_str("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
-    page.push_str(&format!("<title>{} – bladewright report</title>\n", escape(input.title)));
+    page.push_str(&format!("<title>{} – bladewright report</title>\n", escape(head.title)));
     page.push_str("<link rel=\"icon\" href=\"data:,\">\n");
     page.push_str(&format!("<style>\n{PLOT_STYLE}{}</style>\n</head>\n<body>\n", include_str!("page.css")));
-    page.push_str(&tables::header(input));
+    page.push_str(&tables::header(head));
     page.push_str("<main id=\"main\">\n");
-    page.push_str(include_str!("view.html"));
-    page.push_str(&figures::figures(input));
-    page.push_str(&sheet::section(input));
-    page.push_str(&tables::checks(input));
-    page.push_str(include_str!("plots.html"));
-    page.push_str(&channel::section(input));
-    page.push_str(&figures::axes(input));
-    page.push_str(&scallop::section(input));
-    page.push_str(&figures::comparison(input));
-    page.push_str(include_str!("sections.html"));
-    page.push_str(&tables::warnings(input));
-    page.push_str(&tables::provenance(input));
+    sections.iter().for_each(|s| page.push_str(s));
     page.push_str("</main>\n");
     payload.write(&mut page);
-    page.push_str(&program::element(input.program)?);
+    page.push_str(program);
     page.push_str(&format!("<script>\n{VIEWER}</script>\n</body>\n</html>\n"));
-    Ok(page)
+    page
 }
 
 /// The script, with the licences of what it was built from at its head.

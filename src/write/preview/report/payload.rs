@@ -1,6 +1,9 @@
 //! What the page's script draws, as it stands in the page: three script elements that are not run.
 
-use super::{ReportInput, data, pack, scene};
+use serde_json::Value;
+
+use super::pack::Pack;
+use super::{ReportInput, data, scene};
 use crate::error::{Error, Result, Stage};
 
 /// Elements by their names and types, in order.
@@ -18,14 +21,19 @@ impl Payload {
     /// `InputOutput` where the data cannot be encoded; numbers that are not finite are shown as
     /// missing.
     pub fn of(input: &ReportInput) -> Result<Self> {
-        let mut pack = pack::Pack::default();
-        let data = serde_json::to_string(&data::payload(input, &mut pack))
+        let mut pack = Pack::default();
+        let data = data::payload(input, &mut pack);
+        Payload::made(&data, &pack, scene::glb(input))
+    }
+
+    /// The payload of data, the lists that it refers to, and a scene. A coordinate that is not a
+    /// number leaves the page without its picture, not the user without the page.
+    pub(super) fn made(data: &Value, pack: &Pack, glb: Result<String>) -> Result<Self> {
+        let data = serde_json::to_string(data)
             .map_err(|e| Error::io(Stage::Preview, format!("the report's data cannot be encoded: {e}")).caused_by(e))?
             // Inside a script element the text must not contain `</script` or `<!--`.
             .replace('<', "\\u003c");
-        // A coordinate that is not a number leaves the page without its picture, not the user
-        // without the page.
-        Ok(Payload([data, pack.text()?, scene::glb(input).unwrap_or_default()]))
+        Ok(Payload([data, pack.text()?, glb.unwrap_or_default()]))
     }
 
     /// The payload of a page that was made before; `None` where the text is no such page.

@@ -5,27 +5,33 @@ use serde_json::{Value, json};
 
 use super::ReportInput;
 use super::pack::{self, DIGITS, Pack, TIME};
-use crate::artifact::Cone;
+use crate::artifact::{Blade, Cone};
 use crate::error::Result;
+use crate::machine::Machine;
+use crate::tool::Tool;
 use crate::write::preview::gltf::{GltfOptions, Scene, gltf};
-use crate::write::preview::values;
+use crate::write::preview::values::{self, Values};
 
 /// Most bytes of the glTF part.
 const GLTF_BYTES: usize = 3_000_000;
 /// Digits after the point of angles in radians, and of the parts of unit vectors.
-const RADIANS: i32 = 5;
+pub(super) const RADIANS: i32 = 5;
 /// The same of the channel's limits, which are read and not drawn.
-const LIMITS: i32 = 4;
+pub(super) const LIMITS: i32 = 4;
 /// Most points of the path.
 const PATH: usize = 40_000;
+
+/// How the glTF part is made.
+pub(super) fn options() -> GltfOptions {
+    GltfOptions { budget_bytes: GLTF_BYTES, path_and_motion: false, rounded: true, ..GltfOptions::default() }
+}
 
 /// The glTF part as it stands in the page.
 ///
 /// # Errors
 /// As [`gltf`] and [`pack::deflated`].
 pub(super) fn glb(input: &ReportInput) -> Result<String> {
-    let options =
-        GltfOptions { budget_bytes: GLTF_BYTES, path_and_motion: false, rounded: true, ..GltfOptions::default() };
+    let options = options();
     let bytes = gltf(&Scene {
         blade: input.blade,
         tool: input.tool,
@@ -40,18 +46,24 @@ pub(super) fn glb(input: &ReportInput) -> Result<String> {
 }
 
 pub(super) fn scene(input: &ReportInput, pack: &mut Pack) -> Value {
-    let (blade, machine) = (input.blade, input.machine);
+    let path = path(input, pack);
+    around(input.blade, input.tool, input.machine, path)
+}
+
+/// A path with what is around it: the part's place in the model and on the machine, and the tool's
+/// size.
+pub(super) fn around(blade: &Blade, tool: &Tool, machine: &Machine, path: Value) -> Value {
     let q = blade.model_from_blade.rotation;
     let at = blade.model_from_blade.translation.vector;
     let (clamped, axis, turn) = machine.shown_table();
     let turned = clamped.rotation;
     let bounds = blade.part.mesh.aabb();
     json!({
-        "path": path(input, pack),
+        "path": path,
         "model_from_blade": { "q": [q.i, q.j, q.k, q.w], "t": [at.x, at.y, at.z] },
         "box": bounds.map(|b| json!([[b.min.x, b.min.y, b.min.z], [b.max.x, b.max.y, b.max.z]])),
-        "radius": input.tool.radius_mm,
-        "length": input.tool.length_mm(),
+        "radius": tool.radius_mm,
+        "length": tool.length_mm(),
         "machine": {
             "part_at_zero": {
                 "q": [turned.i, turned.j, turned.k, turned.w],
@@ -64,6 +76,13 @@ pub(super) fn scene(input: &ReportInput, pack: &mut Pack) -> Value {
     })
 }
 
+/// What the path can be coloured by, with its values at the points of the path.
+pub(super) fn quantity(v: &Values, of: impl Iterator<Item = f64>, pack: &mut Pack) -> Value {
+    // Counts are whole.
+    let of = if v.unit.is_empty() { pack.list(0, of) } else { pack.scaled(of) };
+    json!({ "key": v.key, "name": v.name, "unit": v.unit, "range": v.range, "shown": v.shown, "of": of })
+}
+
 fn path(input: &ReportInput, pack: &mut Pack) -> Value {
     let Some(plan) = input.plan else { return Value::Null };
     let locations = &plan.toolpath.locations;
@@ -73,12 +92,7 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
     let picked: Vec<usize> = (0..count).map(pick).collect();
     let quantities: Vec<Value> = values::all(plan, input.machine, input.checks)
         .iter()
-        .map(|v| {
-            let of = picked.iter().map(|&i| v.of.get(i).copied().unwrap_or(f64::NAN));
-            // Counts are whole.
-            let of = if v.unit.is_empty() { pack.list(0, of) } else { pack.scaled(of) };
-            json!({ "key": v.key, "name": v.name, "unit": v.unit, "range": v.range, "shown": v.shown, "of": of })
-        })
+        .map(|v| quantity(v, picked.iter().map(|&i| v.of.get(i).copied().unwrap_or(f64::NAN)), pack))
         .collect();
     let same = plan.toolpath.cones.same().filter(Cone::is_about_blade);
     let mut of = |digits: i32, f: &dyn Fn(usize) -> f64| pack.list(digits, picked.iter().map(|&i| f(i)));

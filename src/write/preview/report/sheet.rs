@@ -3,7 +3,9 @@
 
 use super::figures::{self, table};
 use super::{ReportInput, escape, figure, number};
-use crate::machine::{Axis, Provenance};
+use crate::artifact::obstacle::Obstacle;
+use crate::artifact::{Blade, Plan};
+use crate::machine::{Axis, Machine, Provenance};
 use crate::tool::Tool;
 
 /// The section of the page; its style prints it on a page of its own.
@@ -12,15 +14,15 @@ pub(super) fn section(input: &ReportInput) -> String {
         "<section id=\"sheet\"><h2>Setup and tool</h2>\n<p class=\"hint\"><button type=\"button\" id=\"print-sheet\">Print this sheet \
          alone</button></p>\n<div class=\"pair\"><div>{}{}</div><div>{}</div></div>\n{}{}</section>\n",
         part(input),
-        zero(input),
+        zero(&Zero { blade: input.blade, machine: input.machine, obstacles: input.obstacles, lean: lean(input) }),
         tool(input),
-        limits(input),
+        limits(input.machine),
         figures::cycles(input)
     )
 }
 
 /// A table of names and what they are.
-fn list(label: &str, rows: &[(&str, String)]) -> String {
+pub(super) fn list(label: &str, rows: &[(&str, String)]) -> String {
     let row = |(name, value): &(&str, String)| format!("<tr><th scope=\"row\">{name}</th><td>{value}</td></tr>");
     let body: String = rows.iter().filter(|(_, value)| !value.is_empty()).map(row).collect();
     format!("<h3>{label}</h3><table class=\"plain\"><tbody>{body}</tbody></table>\n")
@@ -60,27 +62,44 @@ fn vector(v: impl IntoIterator<Item = f64>) -> String {
     format!("({})", all.join(", "))
 }
 
-/// Where the blade frame is: in the model, and on the machine.
-fn zero(input: &ReportInput) -> String {
-    let (mount, place) = (&input.machine.mount, &input.blade.model_from_blade);
-    let directions = place.rotation.to_rotation_matrix();
-    let column = |k: usize| vector(directions.matrix().column(k).iter().copied());
-    let axes = input.machine.axes();
-    let turning = &axes[input.machine.turning_axis()].name;
-    let clamped = format!(
-        "turned by {}° about its axis (right-hand rule), root to tip along {}, while the rotary axes read 0",
-        number(mount.clamping_deg).replace('-', "−"),
-        mount.along.map_or_else(|| "machine +X".into(), |along| format!("machine {}", vector(along)))
-    );
-    let obstacles: Vec<String> = input.obstacles.iter().map(|o| escape(&o.name)).collect();
-    let lean = input.plan.map(|p| {
+/// How far the tool leans, in words; nothing without a plan.
+fn lean(input: &ReportInput) -> String {
+    let words = |p: &Plan| {
         let [least, most] = p.leans_rad().map(f64::to_degrees);
         if least == most {
             format!("tool leans {}° towards the tip where the path begins", number(least)).replace('-', "−")
         } else {
             format!("tool leans {least:.1}° to {most:.1}° towards the tip along the path").replace('-', "−")
         }
-    });
+    };
+    input.plan.map(words).unwrap_or_default()
+}
+
+/// What the zero point and the clamping follow from.
+pub(super) struct Zero<'a> {
+    /// The blade.
+    pub(super) blade: &'a Blade,
+    /// The machine.
+    pub(super) machine: &'a Machine,
+    /// Fixtures and stock.
+    pub(super) obstacles: &'a [Obstacle],
+    /// How the tool leans, in words.
+    pub(super) lean: String,
+}
+
+/// Where the blade frame is: in the model, and on the machine.
+pub(super) fn zero(of: &Zero) -> String {
+    let (mount, place) = (&of.machine.mount, &of.blade.model_from_blade);
+    let directions = place.rotation.to_rotation_matrix();
+    let column = |k: usize| vector(directions.matrix().column(k).iter().copied());
+    let axes = of.machine.axes();
+    let turning = &axes[of.machine.turning_axis()].name;
+    let clamped = format!(
+        "turned by {}° about its axis (right-hand rule), root to tip along {}, while the rotary axes read 0",
+        number(mount.clamping_deg).replace('-', "−"),
+        mount.along.map_or_else(|| "machine +X".into(), |along| format!("machine {}", vector(along)))
+    );
+    let obstacles: Vec<String> = of.obstacles.iter().map(|o| escape(&o.name)).collect();
     list(
         "Zero point and clamping",
         &[
@@ -88,18 +107,24 @@ fn zero(input: &ReportInput) -> String {
             ("x, y there", format!("{}, {}; x runs from root to tip", column(0), column(1))),
             ("Zero, machine", format!("{} mm while {turning} = 0", vector(mount.offset_mm))),
             ("Clamped", clamped),
-            ("Head", lean.unwrap_or_default()),
+            ("Head", of.lean.clone()),
             ("In the way", obstacles.join(", ")),
         ],
     )
 }
 
 fn tool(input: &ReportInput) -> String {
-    let (t, asked) = (input.tool, input.program.and_then(|p| p.asked.first()));
+    let asked = input.program.and_then(|p| p.asked.first());
+    let number_of = asked.map(|a| format!("T{}", a.tool_number)).unwrap_or_default();
+    let spindle = asked.map(|a| format!("{} 1/min", number(a.spindle_rpm))).unwrap_or_default();
+    one_tool("Tool", input.tool, &[("Number", number_of), ("Spindle", spindle)])
+}
+
+/// A tool with its outline, and what else is said of it.
+pub(super) fn one_tool(label: &str, t: &Tool, more: &[(&'static str, String)]) -> String {
     let centre = t.centre_name();
-    let mut rows = vec![
-        ("Number", asked.map(|a| format!("T{}", a.tool_number)).unwrap_or_default()),
-        ("Spindle", asked.map(|a| format!("{} 1/min", number(a.spindle_rpm))).unwrap_or_default()),
+    let mut rows = more.to_vec();
+    rows.extend([
         if t.is_ball() {
             ("Ball end", format!("R {} mm", number(t.radius_mm)))
         } else {
@@ -115,7 +140,7 @@ fn tool(input: &ReportInput) -> String {
                 number(t.stickout_mm + t.corner_mm())
             ),
         ),
-    ];
+    ]);
     let holder = |h: &crate::tool::HolderStage| format!("R {} × {} mm", number(h.radius_mm), number(h.length_mm));
     rows.push(("Holder", t.holder.iter().map(holder).collect::<Vec<_>>().join(", then ")));
     rows.push((
@@ -126,7 +151,7 @@ fn tool(input: &ReportInput) -> String {
             number(t.length_mm() + t.corner_mm())
         ),
     ));
-    format!("{}{}", list("Tool", &rows), drawing(t))
+    format!("{}{}", list(label, &rows), drawing(t))
 }
 
 /// The tool's outline, the tip to the left, to scale.
@@ -176,7 +201,7 @@ fn drawing(tool: &Tool) -> String {
 }
 
 /// How far and how fast the axes go.
-fn limits(input: &ReportInput) -> String {
+pub(super) fn limits(machine: &Machine) -> String {
     let line = |axis: &Axis| {
         let (l, scale) = (axis.limits, axis.scale());
         let shown = |v: f64| number(v * scale).replace('-', "−");
@@ -190,7 +215,7 @@ fn limits(input: &ReportInput) -> String {
         let cells: String = cells.iter().map(|c| format!("<td class=\"n\">{c}</td>")).collect();
         format!("<tr><th scope=\"row\">{}, {}</th>{cells}</tr>\n", escape(&axis.name), axis.sign())
     };
-    let body: String = input.machine.axes().iter().map(line).collect();
+    let body: String = machine.axes().iter().map(line).collect();
     let head = [
         ("Axis", false),
         ("travel", true),
@@ -199,7 +224,7 @@ fn limits(input: &ReportInput) -> String {
         ("jerk, /s³", true),
         ("limits", true),
     ];
-    format!("<h3>Machine {}</h3>\n{}", escape(&input.machine.name), table("Limits of the machine", &head, &body))
+    format!("<h3>Machine {}</h3>\n{}", escape(&machine.name), table("Limits of the machine", &head, &body))
 }
 
 #[cfg(test)]
