@@ -196,33 +196,30 @@ fn path(input: &PinchReport, places: &Places, pack: &mut Pack) -> Value {
     let (keys, stands_over) = (input.keys, stands_over(input));
     let quantities: Vec<Value> =
         quantities(input, &stands_over).iter().map(|v| scene::quantity(v, v.of.iter().copied(), pack)).collect();
-    let mut of = |digits: i32, f: &dyn Fn(&PinchKey) -> f64| pack.list(digits, keys.iter().map(f));
+    let mut centre =
+        |tool: usize| [0, 1, 2].map(|c| pack.list(DIGITS, keys.iter().map(|key| key.stands[tool].centre[c])));
+    let [[x, y, z], [x_2, y_2, z_2]] = [centre(0), centre(1)];
     let stretch = |key: &PinchKey| input.stretches.get(key.stretch);
     let wall = |n: usize, end: usize| {
         let own = stretch(&keys[n])?;
         Some(own.free_rad[2].get(stands_over[n].checked_sub(own.places.start)?)?[end])
     };
-    let centre = |of: &mut dyn FnMut(i32, &dyn Fn(&PinchKey) -> f64) -> Value, tool: usize| {
-        [0, 1, 2].map(|c| of(DIGITS, &|key| key.stands[tool].centre[c]))
-    };
-    let [x, y, z] = centre(&mut of, 0);
-    let [x_2, y_2, z_2] = centre(&mut of, 1);
-    let t = of(TIME, &|key| key.t_s);
-    let theta = of(RADIANS, &|key| key.stands[0].theta);
-    let mut by_number = |digits: i32, f: &dyn Fn(usize) -> f64| pack.list(digits, (0..keys.len()).map(f));
+    let mut of = |digits: i32, f: &dyn Fn(usize) -> f64| pack.list(digits, (0..keys.len()).map(f));
     let cuts = |n: usize| {
         let next = keys.get(n + 1).filter(|next| next.stretch == keys[n].stretch);
         f64::from(u8::from(keys[n].place.is_some() && next.is_some_and(|next| next.place.is_some())))
     };
     let within = |n: usize| stretch(&keys[n]).map_or(f64::NAN, |s| places.within_mm(s, stands_over[n]));
     json!({
-        "x": x, "y": y, "z": z, "t": t, "theta": theta,
-        "s": by_number(DIGITS, &|n| places.keys_mm[n]),
-        "turn_s": by_number(DIGITS, &within),
-        "min": by_number(LIMITS, &|n| wall(n, 0).unwrap_or(f64::NAN)),
-        "max": by_number(LIMITS, &|n| wall(n, 1).unwrap_or(f64::NAN)),
-        "row": by_number(0, &|n| stands_over[n] as f64),
-        "cuts": by_number(0, &cuts),
+        "x": x, "y": y, "z": z,
+        "t": of(TIME, &|n| keys[n].t_s),
+        "theta": of(RADIANS, &|n| keys[n].stands[0].theta),
+        "s": of(DIGITS, &|n| places.keys_mm[n]),
+        "turn_s": of(DIGITS, &within),
+        "min": of(LIMITS, &|n| wall(n, 0).unwrap_or(f64::NAN)),
+        "max": of(LIMITS, &|n| wall(n, 1).unwrap_or(f64::NAN)),
+        "row": of(0, &|n| stands_over[n] as f64),
+        "cuts": of(0, &cuts),
         "of": keys.len(), "b": input.leans_rad[0], "turns": input.stretches.len(),
         "second": { "x": x_2, "y": y_2, "z": z_2, "b": input.leans_rad[1], "over": input.between_rad },
         "quantities": quantities,
