@@ -1,5 +1,5 @@
-// Rows of two tools: what of the table's turn is free along them, where the table stands, and how far
-// the normals of both contacts are from opposite.
+// Rows of two tools: what of the table's turn is free along them, where the table stands, and how
+// far the normals of both contacts are from opposite.
 import { $ } from './basics.js';
 import { data, list } from './data.js';
 import { cursor } from './cursor.js';

@@ -40,7 +40,8 @@ void main() {
 export class Ribbon extends Mesh {
   /**
    * `x`, `y`, `z`: the points; `gaps`: not 0 at points from which on nothing is drawn up to the
-   * next, or null; `stops`: colours of the scale; `none`: where there is no value; `width` in pixels.
+   * next, or null; `stops`: colours of the scale; `none`: where there is no value; `width` in
+   * pixels.
    */
   constructor({ x, y, z, gaps }, stops, none, width) {
     const n = x.length;

@@ -1,5 +1,5 @@
-// The 3-D view: the scene that the page carries as glTF, the path of each tool in colours, the tools
-// where the cursor is, two ways of motion.
+// The 3-D view: the scene that the page carries as glTF, the path of each tool in colours, the
+// tools where the cursor is, two ways of motion.
 //
 // Everything lies in the blade frame, mm, under `carrier`; what turns on the machine is the
 // carrier.
@@ -21,9 +21,9 @@ const pick = names => Object.fromEntries(names.map(n => [n, list(P?.[n])]));
 export const path = P ? { ...pick(['x', 'y', 'z', 's', 'turn_s', 't', 'theta', 'min', 'max', 'row', ...(P.ix ? ['ix', 'iy', 'iz'] : [])]), turn: list(P.quantities[0].of) } : null;
 
 /**
- * The tools: names of their layers and of their nodes in the scene, sizes, the places of their centres
- * along the path, and either the lean or, by the first tool's lists, the axes. A second tool stands on
- * from the first by the angle `over`.
+ * The tools: names of their layers and of their nodes in the scene, sizes, the places of their
+ * centres along the path, and either the lean or, by the first tool's lists, the axes. A second
+ * tool stands on from the first by the angle `over`.
  */
 const tools = [{ ...S, of: P }, ...(S.second ? [{ ...S.second, of: P?.second }] : [])].map(({ radius, length, of }, k, all) => ({
   name: all.length > 1 ? `tool ${k + 1}` : 'tool', node: all.length > 1 ? `tool_${k + 1}` : 'tool', way: k ? `path ${k + 1}` : 'path',
@@ -355,8 +355,8 @@ export class View {
   }
 
   /**
-   * The way round, rad, from which one tool is looked at; of two tools the way midway between them on
-   * the side where that is farther from both.
+   * The way round, rad, from which one tool is looked at; of two tools the way midway between them
+   * on the side where that is farther from both.
    */
   besideTools() {
     const [first, second] = this.tools.map(({ place }) => {

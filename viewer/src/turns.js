@@ -43,8 +43,8 @@ const kinds = [['position', 'Position', ''], ['velocity', 'Velocity', '/s'], ['a
 const looks = ['solid', 'dash', 'dot'].flatMap(dash => ['c1', 'c2', 'c3', 'c4', 'c5', 'c6'].map(colour => ({ colour, dash })));
 
 /**
- * Times and values of an axis over the turns, from the first turn's start: of `who`, and of the kind
- * `k`. What counts from each turn's start is lifted to the first one's.
+ * Times and values of an axis over the turns, from the first turn's start: of `who`, and of the
+ * kind `k`. What counts from each turn's start is lifted to the first one's.
  */
 function over(ts, who, axis, k) {
   const A = data.axes;
@@ -120,8 +120,8 @@ const said = () => {
 };
 
 /**
- * Begins: `draw(shown)` draws what is along the path of the turns shown, `mark(shown, s)` marks a place
- * of the path in it.
+ * Begins: `draw(shown)` draws what is along the path of the turns shown, `mark(shown, s)` marks a
+ * place of the path in it.
  */
 export function start(draw, mark) {
   const few = turns.length < 2;

@@ -42,8 +42,8 @@ export const set = (page, id, value, event = 'input') => page.evaluate(([id, val
 const pointer = (json, path) => path.split('/').slice(1).reduce((v, k) => v?.[k], json);
 
 /**
- * What is shown is the file's number, to the last digit shown; of figures there are more than `least`.
- * Their number.
+ * What is shown is the file's number, to the last digit shown; of figures there are more than
+ * `least`. Their number.
  */
 export async function figures(page, folder, least) {
   const cells = await page.$$eval('[data-figure]', all => all.map(e => [e.dataset.figure, e.textContent]));

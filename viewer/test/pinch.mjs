@@ -1,9 +1,9 @@
 // report.html of rows for two tools in headless Chromium: `node test/pinch.mjs FOLDER…`, with
 // SHOTS=DIR also pictures.
 //
-// Opens from file://, no console error, no network; playing moves both tools; all plots have data and
-// are linked with the view; every figure shown is the one in pinch.json; a phone's width does not
-// overflow.
+// Opens from file://, no console error, no network; playing moves both tools; all plots have data
+// and are linked with the view; every figure shown is the one in pinch.json; a phone's width does
+// not overflow.
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';

@@ -92,9 +92,9 @@ impl Pinch {
         self.held.get(n).filter(|h| h.places.contains(&place))
     }
 
-    /// What is free for tool 1, for tool 2 and for both about the angle of a stretch, at each of its
-    /// places: `[from, to]` on the turn of that angle, rad; half a turn to either side where all
-    /// angles are free.
+    /// What is free for tool 1, for tool 2 and for both about the angle of a stretch, at each of
+    /// its places: `[from, to]` on the turn of that angle, rad; half a turn to either side where
+    /// all angles are free.
     pub fn free_about(&self, held: &Held) -> [Vec<[f64; 2]>; 3] {
         let theta = held.theta_rad;
         let around = |free: &FreeAngles| match free.margin(theta) == f64::INFINITY {

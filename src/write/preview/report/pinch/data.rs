@@ -180,8 +180,8 @@ fn whole_scene(input: &PinchReport, places: &Places, pack: &mut Pack) -> Value {
     scene
 }
 
-/// The place of each key; where both tools are lifted, the first one of the stretch or the last one,
-/// over which they are.
+/// The place of each key; where both tools are lifted, the first one of the stretch or the last
+/// one, over which they are.
 fn stands_over(input: &PinchReport) -> Vec<usize> {
     let mut before: Option<&PinchKey> = None;
     let place = |key| {
