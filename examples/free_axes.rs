@@ -45,6 +45,7 @@ fn other_blades(blade: &Blade, wheel: &Wheel) -> Vec<Obstacle> {
             holder_clearance_mm: HOLDER_CLEARANCE_MM + blade.part.deflection_mm,
             cut_by_the_tool: false,
             of_the_wheel: false,
+            copies: vec![wheel.turn_to(k)],
         })
         .collect()
 }

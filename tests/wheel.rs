@@ -1,10 +1,13 @@
 //! A blade among the others of its wheel: five axes find the way, programs carry it, and what
 //! cannot be is refused with its place.
 
+use bladewright::artifact::channel::Binding;
 use bladewright::artifact::check_id::CheckId;
 use bladewright::artifact::program::Control;
 use bladewright::artifact::report::Check;
-use bladewright::artifact::{Cones, Obstacle, PartAmong, Plan, Program, Sweep};
+use bladewright::artifact::sphere::{CellState, SphereCell};
+use bladewright::artifact::{Cone, Cones, Obstacle, PartAmong, Plan, Program, Sweep, Toolpath};
+use bladewright::channel;
 use bladewright::error::{Error, ErrorKind, Infeasible, Result};
 use bladewright::geometry::mesh::Mesh;
 use bladewright::geometry::part::Part;
@@ -130,6 +133,81 @@ fn every_blade_of_a_wheel_comes_back_as_planned() {
     }
 }
 
+/// What the checks have of the other blades is the part turned by multiples of 360°/N, and pictures
+/// are told so.
+#[test]
+fn the_other_blades_are_the_part_turned() {
+    let setup = setup(&[], machine("demo_table_head.toml")).expect("a setup");
+    let (others, part, wheel) = (&setup.obstacles[0], &setup.blade.part.mesh, setup.wheel.expect("a wheel"));
+    assert_eq!(others.copies.len(), 29);
+    let points = others.part.mesh.points.chunks(part.points.len());
+    for ((k, turn), group) in (2..).zip(&others.copies).zip(points) {
+        let off = |(q, p): (&Point, &Point)| (q - turn * p).norm().max((q - wheel.turn_to(k) * p).norm());
+        assert!(group.iter().zip(&part.points).map(off).fold(0.0, f64::max) < 1e-9, "blade {k}");
+    }
+}
+
+/// Maps of free tool axes among the other blades agree with the channel's closed arcs on a circle
+/// through each cell, and hold the axis of the plan; what the machine does not reach is none.
+#[test]
+fn maps_of_free_axes_are_those_of_the_exact_check() {
+    let changes = ["machine.b_deg=0", "region.end_mm=39"];
+    let setup = setup(&changes, machine("demo_table_head.toml")).expect("a setup");
+    let Ok(Verdict::Passed(plan)) = plan::plan(&setup, &Silent) else { panic!("no plan") };
+    let plan = plan.value();
+    let along = setup.free_axes(plan, &Silent).expect("maps");
+    assert!((16..=32).contains(&along.maps.len()) && along.nearest.len() == plan.toolpath.locations.len());
+    let (around, options) = (setup.surroundings().expect("bodies"), setup.channel_options());
+    let (mut free, mut taken) = (0, 0);
+    for (row, sphere) in &along.maps {
+        assert!((sphere.shares().iter().sum::<f64>() - 1.0).abs() < 1e-9);
+        let axis = plan.stand(*row).expect("a location").axis();
+        let at = sphere.cell_at(&axis).expect("a cell").state;
+        assert!(!matches!(at, CellState::Taken(_)), "the plan's axis at location {row} is taken");
+        let cells: Vec<_> = sphere.cells.iter().step_by(101).collect();
+        let middle = |c: &SphereCell| (c.corners[0] + c.corners[1] + c.corners[2]).normalize();
+        // The circle square to a direction beside the axis, which stands at θ = 0.
+        let cone = |c: &&SphereCell| Cone::new(middle(c).cross(&Vector::new(0.3, -0.5, 0.8)), middle(c), 0.0);
+        let cones: Vec<Cone> = cells.iter().map(|c| cone(c).expect("a circle")).collect();
+        let same = plan.toolpath.at(&vec![*row; cells.len()]);
+        let circles = Toolpath { cones: Cones::Each(cones), ..same };
+        let arcs = channel::intervals(&around, &setup.job.tool, &circles, &options, &Silent).expect("arcs");
+        for (cell, arcs) in cells.iter().zip(arcs) {
+            let turns = [-1.0, 0.0, 1.0].map(|k| k * std::f64::consts::TAU);
+            let within =
+                |by: f64| turns.iter().any(|t| arcs.iter().any(|f| (f.theta_min - by..=f.theta_max + by).contains(t)));
+            match cell.state {
+                CellState::Free => {
+                    free += 1;
+                    assert!(within(1e-3), "location {row}: free at {:?}", middle(cell));
+                }
+                CellState::Taken(k) => match &sphere.bindings[k as usize] {
+                    Binding::Travel { .. } | Binding::AxisLimit => {
+                        let near = &plan.motion.position[*row];
+                        let reached = setup.machine.rotary_of_axis(&middle(cell), near);
+                        let travel = |k: usize| setup.machine.axes()[k].limits.travel.unwrap_or([f64::MIN, f64::MAX]);
+                        let out = |at: &[f64]| (0..5).any(|k| at[k] < travel(k)[0] || at[k] > travel(k)[1]);
+                        let length_mm = setup.job.tool.length_mm();
+                        let centre = &plan.toolpath.locations[*row].centre;
+                        let at = reached.map(|at| setup.machine.linear_at(centre, &at, length_mm));
+                        assert!(at.is_none_or(|at| out(&at)), "location {row}: {:?} is reached", middle(cell));
+                    }
+                    _ => {
+                        taken += 1;
+                        assert!(!within(-1e-3), "location {row}: taken at {:?}", middle(cell));
+                    }
+                },
+                CellState::Open => {}
+            }
+        }
+    }
+    assert!(free > 100 && taken > 100, "{free} {taken}");
+    let round = self::setup(&["orientation.kind=\"cone\""], machine("demo_table_head.toml")).expect("a setup");
+    let mut one = plan.clone();
+    one.toolpath.cones = Cones::about_blade(0.0);
+    assert!(round.free_axes(&one, &Silent).expect("no maps").maps.is_empty());
+}
+
 /// The demo machine with room for the wheel and ends of travel of the axis that carries it.
 fn with_travel_of_a([least, most]: [i32; 2]) -> Machine {
     of_prism::machine("demo_table_head.toml", |text| {
@@ -189,6 +267,7 @@ fn the_wheel_turns_within_travel_and_clear_of_bodies() {
         holder_clearance_mm,
         cut_by_the_tool: false,
         of_the_wheel: false,
+        copies: Vec::new(),
     };
     let about = PartAmong { obstacles: std::slice::from_ref(&clamp), ..alone };
     // Fixtures turn with the wheel: seen from another blade they stand elsewhere.

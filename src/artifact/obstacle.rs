@@ -1,5 +1,6 @@
 //! What is in the tool's way besides the part: fixtures, stock, the other blades of a wheel.
 use super::Blade;
+use crate::geometry::Rigid;
 use crate::geometry::part::Part;
 
 /// A part with what stands about it.
@@ -40,4 +41,7 @@ pub struct Obstacle {
     pub cut_by_the_tool: bool,
     /// It is the same seen from every blade of the wheel: the other blades, the hub.
     pub of_the_wheel: bool,
+    /// Where it consists of copies of the part, as the other blades do: the turns that bring the
+    /// part to them, blade frame, in the order of its groups. Empty: it is a body of its own.
+    pub copies: Vec<Rigid>,
 }

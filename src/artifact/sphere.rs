@@ -40,10 +40,29 @@ impl SphereCell {
     }
 }
 
+/// The eight octants, each with its corners counter-clockwise seen from outside: what all cells are
+/// quartered from.
+pub fn octants() -> [[Vector; 3]; 8] {
+    let mut out = [[Vector::zeros(); 3]; 8];
+    for (k, corners) in out.iter_mut().enumerate() {
+        let sign = |bit: usize| if k >> bit & 1 == 0 { 1.0 } else { -1.0 };
+        let [x, y, z] = [Vector::x() * sign(0), Vector::y() * sign(1), Vector::z() * sign(2)];
+        *corners = if sign(0) * sign(1) * sign(2) > 0.0 { [x, y, z] } else { [x, z, y] };
+    }
+    out
+}
+
+/// The four triangles that a spherical triangle is cut into along the middles of its sides: one at
+/// each corner, then that in the middle.
+pub fn quarters([a, b, c]: &[Vector; 3]) -> [[Vector; 3]; 4] {
+    let [ab, bc, ca] = [a + b, b + c, c + a].map(|m| m.normalize());
+    [[*a, ab, ca], [ab, *b, bc], [ca, bc, *c], [ab, bc, ca]]
+}
+
 /// The free tool axes at a place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FreeSphere {
-    /// They cover the sphere.
+    /// They cover the sphere: quarters of quarters of the [`octants`], in that order.
     pub cells: Vec<SphereCell>,
     /// What takes cells.
     pub bindings: Vec<Binding>,
@@ -69,4 +88,14 @@ impl FreeSphere {
         let axis = axis.try_normalize(1e-12)?;
         self.cells.iter().find(|c| c.holds(&axis))
     }
+}
+
+/// The free tool axes at some locations of a path.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FreeAlong {
+    /// Rows of the path, and what is free there.
+    pub maps: Vec<(usize, FreeSphere)>,
+    /// For each location of the path which of the maps is that of the location nearest to it, by
+    /// place and surface normal.
+    pub nearest: Vec<usize>,
 }

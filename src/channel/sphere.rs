@@ -30,7 +30,7 @@ use std::collections::BinaryHeap;
 use std::f64::consts::PI;
 
 use crate::artifact::Toolpath;
-use crate::artifact::sphere::{CellState, FreeSphere, SphereCell};
+use crate::artifact::sphere::{self, CellState, FreeSphere, SphereCell};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::observe::Observer;
@@ -186,9 +186,7 @@ impl Cell {
     }
 
     fn quarters(&self) -> [Cell; 4] {
-        let [a, b, c] = self.corners;
-        let [ab, bc, ca] = [a + b, b + c, c + a].map(|m| m.normalize());
-        [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]].map(Cell::new)
+        sphere::quarters(&self.corners).map(Cell::new)
     }
 }
 
@@ -273,7 +271,7 @@ impl<'a> SphereSearch<'a> {
         let roots = self.scene.bodies.iter().enumerate().filter_map(|(k, b)| Some((k as u16, b.tree.root()?)));
         (self.nodes, self.rings) = (roots.collect(), (0..self.annuli.len() as u32).collect());
         let from = Below { nodes: [0, self.nodes.len()], rings: [0, self.rings.len()] };
-        octants().into_iter().for_each(|corners| self.look(Cell::new(corners), from));
+        sphere::octants().into_iter().for_each(|corners| self.look(Cell::new(corners), from));
         let bindings = self.takers.iter().map(|by| walls::binding(*by, self.scene)).collect();
         FreeSphere { cells: std::mem::take(&mut self.cells), bindings }
     }
@@ -528,15 +526,4 @@ impl Ord for Hopeful {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.hope.total_cmp(&other.hope).then_with(|| other.start.cmp(&self.start))
     }
-}
-
-/// The eight octants.
-fn octants() -> [[Vector; 3]; 8] {
-    let mut out = [[Vector::zeros(); 3]; 8];
-    for (k, corners) in out.iter_mut().enumerate() {
-        let sign = |bit: usize| if k >> bit & 1 == 0 { 1.0 } else { -1.0 };
-        let [x, y, z] = [Vector::x() * sign(0), Vector::y() * sign(1), Vector::z() * sign(2)];
-        *corners = if sign(0) * sign(1) * sign(2) > 0.0 { [x, y, z] } else { [x, z, y] };
-    }
-    out
 }

@@ -267,6 +267,13 @@ fn a_rotor_sits_on_the_first_rotary_axis() {
         let [p, q] = [row, turned].map(|r| wheel.forward(&r, 90.0));
         let off = (about * p.axis - q.axis).norm().min((about.inverse() * p.axis - q.axis).norm());
         assert!(off < 1e-9, "{name}: {off}");
+        // Seen from the machine the tool stands still while a table turns, and the part while a
+        // head does.
+        let [from, to] = [(&row, &p), (&turned, &q)].map(|(at, pose)| {
+            let part = wheel.part_at(at);
+            if wheel.axes()[k].carries == Carries::Workpiece { part * pose.centre } else { part * origin }
+        });
+        assert!((from - to).norm() < 1e-8, "{name}: {from} {to}");
         // Points of the rotor axis stay on the axis of the machine.
         assert!(wheel.head().off_axis_mm(&origin) < 1e-9, "{name}");
         assert!(wheel.head().off_axis_mm(&(origin + axis * 77.0)) < 1e-9, "{name}");

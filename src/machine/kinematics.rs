@@ -110,6 +110,13 @@ impl Machine {
         self.head().blade_from_turned(&table)
     }
 
+    /// The part's place on the machine while the axes stand at `at` (rad), blade frame to machine
+    /// frame: turned by all rotary axes that carry it. Linear axes that carry it are taken to stand
+    /// at 0.
+    pub fn part_at(&self, at: &[f64]) -> Rigid {
+        self.head().mount() * self.blade_from_frame_fixed_at(at).inverse()
+    }
+
     /// Distance of a point of the blade, in the blade frame, from the axis of the table that turns
     /// it, mm; `None` on a machine on which the blade stands still.
     pub fn off_table_axis_mm(&self, p: &Point) -> Option<f64> {

@@ -40,6 +40,7 @@ mod around;
 pub(crate) mod discs;
 mod doubts;
 mod even;
+mod free_axes;
 pub(crate) mod leads;
 mod orientation;
 pub(crate) mod paths;

@@ -10,7 +10,7 @@ use crate::channel::ChannelSettings;
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rigid, Vector};
 use crate::job::WheelSettings;
 use crate::parallel;
 use crate::verify::{self, Verdict, Verified, Workspace};
@@ -136,14 +136,16 @@ pub(super) fn bodies(
         let mut part = Part::from_mesh(mesh);
         part.deflection_mm = deflection_mm;
         let [clearance_mm, holder_clearance_mm] = [channel.clearance_mm, channel.holder_clearance_mm];
-        Obstacle { name, part, clearance_mm, holder_clearance_mm, cut_by_the_tool: false, of_the_wheel: true }
+        let (cut_by_the_tool, of_the_wheel, copies) = (false, true, Vec::new());
+        Obstacle { name, part, clearance_mm, holder_clearance_mm, cut_by_the_tool, of_the_wheel, copies }
     };
     let off_mm = blade.part.deflection_mm;
-    let other = |k: u32| blade.part.mesh.clone().moved(&wheel.turn_to(k));
-    let others = parallel::map(2..=wheel.blades, other);
+    let copies: Vec<Rigid> = (2..=wheel.blades).map(|k| wheel.turn_to(k)).collect();
+    let others = parallel::map(&copies, |turn| blade.part.mesh.clone().moved(turn));
     // One body: how near the tool comes to the nearest of them is one question, and the far ones
     // then cost nothing.
-    let mut out = vec![body("the other blades".into(), together(&others), off_mm)];
+    let others = Obstacle { copies, ..body("the other blades".into(), together(&others), off_mm) };
+    let mut out = vec![others];
     if !settings.hub_mm.is_empty() {
         out.push(body("hub".into(), hub(wheel, &settings.hub_mm), 0.0));
     }

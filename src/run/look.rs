@@ -67,6 +67,7 @@ pub(super) fn write(
     options.budget_bytes = look.budget_bytes.unwrap_or(options.budget_bytes);
     let scene = Scene {
         blade: &setup.blade,
+        obstacles: &setup.obstacles,
         tool: &setup.job.tool,
         machine: &setup.machine,
         plan: Some(plan),
@@ -97,6 +98,7 @@ pub(super) fn page(
     let fixed = look.baseline.map(fixed_lead_of);
     let others: Vec<draw::OtherSchedule> = fixed.into_iter().chain(look.others.iter().map(shown)).collect();
     let widths = if setup.job.channel.sweep_b { setup.widths(plan, observer)? } else { Vec::new() };
+    let free_axes = look.payload.is_none().then(|| setup.free_axes(plan, observer)).transpose()?;
     let input = ReportInput {
         title: &setup.blade.name,
         blade: &setup.blade,
@@ -110,6 +112,7 @@ pub(super) fn page(
         compare: compared.as_ref().map(|json| File { name: "compare", json }),
         widths: &widths,
         obstacles: &setup.obstacles,
+        free_axes: free_axes.as_ref(),
         sections: look.sections,
         checks: Some(look.report),
         forced: look.forced,

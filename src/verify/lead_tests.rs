@@ -107,6 +107,7 @@ fn an_arc_without_room_is_refused_with_what_is_in_the_way() {
         holder_clearance_mm: 1.0,
         cut_by_the_tool: false,
         of_the_wheel: false,
+        copies: Vec::new(),
     };
     let why = said(&sample::blade(), &machine, &[clamp]).unwrap();
     assert!(why.contains("the clamp"), "{why}");
@@ -130,6 +131,7 @@ fn the_ball_of_a_lead_keeps_clear_of_other_bodies() {
         holder_clearance_mm: 0.0,
         cut_by_the_tool: false,
         of_the_wheel: false,
+        copies: Vec::new(),
     };
     let failing = |obstacles: &[Obstacle]| {
         let room = Room { blade: &blade, stock_mm: 0.0, obstacles, tool: &tool, machine: &machine, options: &options };

@@ -11,6 +11,7 @@ import * as channel from './channel.js';
 import * as pinch from './pinch.js';
 import * as scallop from './scallop.js';
 import * as sections from './sections.js';
+import * as free from './free.js';
 import * as program from './program.js';
 
 const P = data.scene.path;
@@ -76,7 +77,7 @@ const TOOLS = data.scene.second
   ? [['path', 'rows of tool 1', true], ['path 2', 'rows of tool 2', true], ['tool 1', 'tool 1', true], ['tool 2', 'tool 2', true]]
   : [['path', 'path', true], ['leads', 'lead-in and lead-out', true], ['tool', 'tool', true]];
 const LAYERS = [
-  ['blade', 'blade', true], ...TOOLS, ['uncut', 'uncut', true], ['cutter contacts', 'cutter contacts', false],
+  ['blade', 'blade', true], ...TOOLS, ['neighbours', 'other blades and hub', true], ['uncut', 'uncut', true], ['cutter contacts', 'cutter contacts', false],
   ['channel', 'channel limits', false], ['base vectors', 'base vectors', false], ['altered points', 'altered points', false],
   ['scallop', 'scallop map', false], ['machine', 'machine parts', false],
 ];
@@ -190,7 +191,7 @@ async function start() {
   // The view answers already; the plots come one after another, so that it goes on answering.
   const all = data.scene.second
     ? [() => turns.start(pinch.draw, pinch.mark)]
-    : [() => turns.start(channel.draw, channel.mark), scallop.drawHistogram, scallop.drawMap, sections.start];
+    : [free.start, () => turns.start(channel.draw, channel.mark), scallop.drawHistogram, scallop.drawMap, sections.start];
   for (const draw of all) {
     await new Promise(done => setTimeout(done));
     draw();

@@ -190,6 +190,7 @@ export class View {
       // Blade x is up.
       this.carrier.matrix.makeBasis(y, z, x).premultiply(new Matrix4()).multiply(new Matrix4().makeTranslation(this.target.clone().negate()));
     } else {
+      if (P?.part) { this.placeOnMachine(); return this.placed(); }
       const [cy, cz] = S.machine.axis;
       const phi = S.machine.turn[0] + S.machine.turn[1] * theta;
       const table = new Matrix4().makeTranslation(0, cy, cz)
@@ -200,6 +201,23 @@ export class View {
       // Machine Z is up.
       this.carrier.matrix.makeBasis(x, z.clone().negate(), y).multiply(new Matrix4().makeTranslation(-mid.x, -cy, -cz)).multiply(table);
     }
+    this.placed();
+  }
+
+  /** The part where the machine's axes carry it, about where it was first. */
+  placeOnMachine() {
+    const at = between(path.s, this.s);
+    const lists = P.part.map(list);
+    const [qx, qy, qz, qw, x, y, z] = lists.map(of => mix(of, at));
+    const first = rigid({ q: new Quaternion(...lists.slice(0, 4).map(of => of[0])).normalize(), t: lists.slice(4).map(of => of[0]) });
+    const mid = this.target.clone().applyMatrix4(first);
+    const part = rigid({ q: new Quaternion(qx, qy, qz, qw).normalize(), t: [x, y, z] });
+    // Machine Z is up.
+    this.carrier.matrix.makeBasis(new Vector3(1, 0, 0), new Vector3(0, 0, -1), new Vector3(0, 1, 0)).multiply(new Matrix4().makeTranslation(-mid.x, -mid.y, -mid.z)).multiply(part);
+  }
+
+  /** What follows from the carrier's new place. */
+  placed() {
     this.carrier.matrixWorldNeedsUpdate = true;
     this.carrier.updateMatrixWorld(true);
     if (this.cut != null) this.plane.set(new Vector3(-1, 0, 0), this.cut).applyMatrix4(this.carrier.matrixWorld);

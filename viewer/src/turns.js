@@ -54,7 +54,7 @@ function over(ts, who, axis, k) {
   for (const t of ts) {
     const m = A.turns[t][who];
     const at = list(m.t), v = list(m.axes[axis][k]);
-    if (k === 0 && axis === A.counted && t !== ts[0]) lift = turns[t].zero - turns[ts[0]].zero;
+    if (k === 0 && axis === A.counted) lift = m.zero - A.turns[ts[0]][who].zero;
     for (let i = 0; i < at.length; i++) {
       const u = at[i] + m.from - start;
       if (x.length && !(u > x[x.length - 1])) continue;
@@ -64,17 +64,26 @@ function over(ts, who, axis, k) {
   return [Float64Array.from(x), Float64Array.from(y)];
 }
 
-/** Curves of one axis, those of the other schedule too. */
-function ofOne(ts, axis, k) {
+/** Colours of an axis: of this plan, of the other schedule, of its limit. */
+const colours = [['c1', 'c2', 'c5'], ['c4', 'c3', 'c6']];
+
+/** Curves of axes of one unit, those of the other schedule too, and the limits of the kind `k`. */
+function ofSome(ts, which, k) {
   const A = data.axes;
-  const series = [];
-  if (A.turns[ts[0]].baseline) {
-    const [x, y] = over(ts, 'baseline', axis, k);
-    series.push({ name: data.baseline, x, y, colour: 'c2', dash: 'long' });
-  }
-  const [x, y] = over(ts, 'plan', axis, k);
-  series.push({ name: 'this plan', x, y, colour: 'c1', width: 2 });
-  return [series, k && A.limits[axis][k - 1]];
+  const series = [], limits = [];
+  which.forEach((axis, n) => {
+    const [own, fixed, most] = colours[n % colours.length];
+    // Of several axes each has its name before that of the schedule.
+    const called = what => (which.length > 1 ? `${A.names[axis]}, ${what}` : what);
+    if (A.turns[ts[0]].baseline) {
+      const [x, y] = over(ts, 'baseline', axis, k);
+      series.push({ name: called(data.baseline), x, y, colour: fixed, dash: 'long' });
+    }
+    const [x, y] = over(ts, 'plan', axis, k);
+    series.push({ name: called('this plan'), x, y, colour: own, width: 2 });
+    if (k) limits.push({ name: called('limit'), limit: A.limits[axis][k - 1], colour: most });
+  });
+  return [series, limits];
 }
 
 /** Curves of all axes: positions from the start on, rates as shares of the limits. */
@@ -83,7 +92,7 @@ function ofAll(ts, k) {
   return [A.names.map((name, axis) => {
     const [x, y] = over(ts, 'plan', axis, k);
     return { name, x, y: k ? y.map(v => (100 * v) / A.limits[axis][k - 1]) : y.map(v => v - y[0]), ...looks[axis % looks.length] };
-  }), k && 100];
+  }), [{ name: 'limit', limit: 100, colour: 'c5' }]];
 }
 
 function drawAxes() {
@@ -91,26 +100,32 @@ function drawAxes() {
   if (!$('axis')) return;
   if (!A || !turns.length) { for (const [id] of kinds) $(`chart-${id}`).innerHTML = '<p class="empty">The run has no axis motion.</p>'; return; }
   const all = $('axis').value === 'all';
-  const which = +$('axis').value || 0;
+  const which = $('axis').value === 'rotary' ? A.rotary : [+$('axis').value || 0];
   const ts = $('whole').checked ? A.turns.map((_, t) => t) : chosen();
   const places = Float64Array.from(ts.flatMap(t => [...list(A.turns[t].s)]));
   const times = Float64Array.from(ts.flatMap(t => Array.from(list(A.turns[t].plan.t), v => v + A.turns[t].plan.from - A.turns[ts[0]].plan.from)));
   const to = t => places[before(times, t)];
   axesPlots = kinds.map(([id, name, per], k) => {
-    const [series, limit] = all ? ofAll(ts, k) : ofOne(ts, which, k);
+    const [series, limits] = all ? ofAll(ts, k) : ofSome(ts, which, k);
     if (k > 0 && $('limits').checked) {
       const x = Float64Array.from([0, times[times.length - 1]]);
-      for (const sign of [1, -1]) series.push({ name: 'limit', x, y: Float64Array.from([sign * limit, sign * limit]), colour: 'c5', dash: 'dot' });
+      for (const { name, limit, colour } of limits) {
+        for (const sign of [1, -1]) series.push({ name, x, y: Float64Array.from([sign * limit, sign * limit]), colour, dash: 'dot' });
+      }
     }
-    const unit = all ? (k ? '% of the axis\' limit' : 'from the start, mm or °') : `${A.units[which]}${per}`;
+    const of = all ? name : `${name} of ${which.map(axis => A.names[axis]).join(' and ')}`;
+    const unit = all ? (k ? '% of the axis\' limit' : 'from the start, mm or °') : `${A.units[which[0]]}${per}`;
     const made = plot(`chart-${id}`, {
-      x: 'time, s', y: all && !k ? `${name} ${unit}` : `${name}, ${unit}`, series,
+      x: 'time, s', y: all && !k ? `${of} ${unit}` : `${of}, ${unit}`, series,
       onMove: t => cursor.set(to(t), 'axes'), onPick: t => cursor.set(to(t), 'axes', true),
     });
     return made && { mark: s => made.mark(times[before(places, s)]) };
   });
-  const other = !all && A.turns[ts[0]].baseline;
-  $('axes-note').textContent = !all && which === A.counted ? `${A.names[which]} counts from the start of the first turn shown.` : other ? 'Each schedule has its own time.' : '';
+  const notes = all ? [] : [
+    which.includes(A.counted) ? `${A.names[A.counted]} counts from the start of the first turn shown.` : '',
+    A.turns[ts[0]].baseline ? 'Each schedule has its own time.' : '',
+  ];
+  $('axes-note').textContent = notes.filter(Boolean).join(' ');
 }
 
 /** Which turns are shown, in words. */
@@ -130,8 +145,10 @@ export function start(draw, mark) {
   $('turn').value = Math.floor(turns.length / 2) + 1;
   const A = data.axes;
   if (A && $('axis')) {
-    const first = A.counted ?? 'all';
-    $('axis').innerHTML = [...A.names.map((n, i) => [i, n]), ['all', 'all axes']].map(([v, n]) => `<option value="${v}"${v === first ? ' selected' : ''}>${n}</option>`).join('');
+    const rotary = A.rotary.length > 1 ? [['rotary', A.rotary.map(i => A.names[i]).join(' and ')]] : [];
+    // Where none goes round with the blade, all rotary axes move; two tools move all of them.
+    const first = A.counted ?? (rotary.length && !data.scene.second ? 'rotary' : 'all');
+    $('axis').innerHTML = [...A.names.map((n, i) => [i, n]), ...rotary, ['all', 'all axes']].map(([v, n]) => `<option value="${v}"${v === first ? ' selected' : ''}>${n}</option>`).join('');
   }
   const drawChosen = () => {
     shown = chosen();

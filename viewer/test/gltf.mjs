@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { build } from 'esbuild';
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import validator from 'gltf-validator';
 import { launch, open } from './browser.mjs';
@@ -58,6 +58,8 @@ try {
     for (const name of ['workpiece', 'blade', 'path', 'leads', 'cutter contacts', 'channel', 'base vectors', 'table', 'tool', 'ball', 'shank', 'head']) {
       assert.ok(found.names.includes(name), `${file}: no node ${name}`);
     }
+    const isOne = /^\[wheel\]/m.test(readFileSync(join(dirname(file), 'job.resolved.toml'), 'utf8'));
+    assert.equal(found.names.includes('neighbours'), isOne, `${file}: the rest of the wheel`);
     assert.equal(found.variants.length, 6, `${file}: variants`);
     // Viewers offer variants of meshes alone.
     assert.ok(found.onMeshes > 0, `${file}: no mesh has variants`);

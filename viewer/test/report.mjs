@@ -12,6 +12,7 @@ import { basename, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { launch, open } from './browser.mjs';
 import { figures, look, plays, set } from './page.mjs';
+import { wheel } from './wheel.mjs';
 
 const READY_MS = +(process.env.READY_MS || 3000);
 const shots = process.env.SHOTS;
@@ -182,6 +183,7 @@ async function desktop(browser, folder, url) {
     const shown = +(await page.textContent('#chart-map .readout')).match(/µm at height (\S+) mm$/)[1].replace('−', '-');
     assert.ok(Math.abs(shown - dot.height) < 1e-4 * Math.abs(dot.height) + 0.3, `the dot at height ${dot.height} answers as ${shown}`);
   }
+  await wheel(page, folder, set);
   // Every control is reached by the Tab key.
   const wanted = await page.$$eval('main a[href], main button, main select, main input, main summary, main [tabindex="0"]', all => all.filter(e => !e.disabled && e.checkVisibility({ contentVisibilityAuto: true }) && !e.closest("details:not([open]) pre")).length);
   await page.focus('#theme');

@@ -175,6 +175,7 @@ proptest! {
             holder_clearance_mm: 1.0,
             cut_by_the_tool: false,
             of_the_wheel: false,
+            copies: Vec::new(),
         };
         let options = options(4.0, 30.0);
         let free_among = |obstacles: &[Obstacle]| {

@@ -190,6 +190,7 @@ fn fixture(mesh: crate::geometry::mesh::Mesh, cut_by_the_tool: bool) -> crate::a
         holder_clearance_mm: 0.5,
         cut_by_the_tool,
         of_the_wheel: false,
+        copies: Vec::new(),
     }
 }
 

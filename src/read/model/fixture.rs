@@ -68,6 +68,7 @@ pub fn obstacle(
         holder_clearance_mm: room_mm[1],
         cut_by_the_tool: stock,
         of_the_wheel: false,
+        copies: Vec::new(),
     })
 }
 

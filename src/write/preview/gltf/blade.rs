@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use gltf_json as json;
 use json::Index;
+use json::material::Material;
 use json::mesh::{Mode, Primitive, Semantic};
 use json::scene::Node;
 use serde_json::json;
@@ -18,8 +19,20 @@ use crate::geometry::brep::SurfaceKind;
 use crate::geometry::mesh::Mesh;
 use crate::write::preview::thin::thinned;
 
-/// The node with about so many triangles at most, or `None` where the part has none.
-pub(super) fn node(glb: &mut Glb, blade: &Blade, triangles: usize, crease_deg: f64) -> Result<Option<Index<Node>>> {
+/// The part as it is drawn, one primitive for each kind of face.
+pub(super) struct Shown {
+    pub primitives: Vec<Primitive>,
+    /// What the node says of it.
+    note: serde_json::Value,
+}
+
+/// The node.
+pub(super) fn node(glb: &mut Glb, shown: &Shown) -> Index<Node> {
+    mesh_node(glb, "blade", shown.primitives.clone(), shown.note.clone())
+}
+
+/// What is drawn of the part, with about so many triangles at most; `None` where it has none.
+pub(super) fn primitives(glb: &mut Glb, blade: &Blade, triangles: usize, crease_deg: f64) -> Result<Option<Shown>> {
     let (mesh, cell) = thinned(&blade.part.mesh, triangles);
     let mesh = mesh.moved(&blade.model_from_blade);
     if mesh.triangles.is_empty() {
@@ -32,14 +45,16 @@ pub(super) fn node(glb: &mut Glb, blade: &Blade, triangles: usize, crease_deg: f
     }
     let mut primitives = Vec::new();
     for (kind, triangles) in &by_kind {
-        primitives.push(primitive(glb, &mesh, &normals, triangles, look(*kind))?);
+        let (name, rgb) = look(*kind);
+        let material = glb.material(name, rgb, true);
+        primitives.push(primitive(glb, &mesh, &normals, triangles, material)?);
     }
     let note = json!({
         "triangles": mesh.triangles.len(),
         "triangles_of_part": blade.part.mesh.triangles.len(),
         "thinned_on_a_grid_of_mm": cell,
     });
-    Ok(Some(mesh_node(glb, "blade", primitives, note)))
+    Ok(Some(Shown { primitives, note }))
 }
 
 /// The part, one primitive and colour for each [`Area`]; `None` without triangles.
@@ -54,7 +69,9 @@ pub(super) fn regions_node(glb: &mut Glb, mesh: &Mesh, areas: &[Area], crease_de
     }
     let mut primitives = Vec::new();
     for (area, triangles) in &by_area {
-        primitives.push(primitive(glb, mesh, &normals, triangles, colour(*area))?);
+        let (name, rgb) = colour(*area);
+        let material = glb.material(name, rgb, true);
+        primitives.push(primitive(glb, mesh, &normals, triangles, material)?);
     }
     Ok(Some(mesh_node(glb, "regions", primitives, json!({ "triangles": mesh.triangles.len() }))))
 }
@@ -118,7 +135,7 @@ pub(super) fn primitive(
     mesh: &Mesh,
     normals: &[[Vector; 3]],
     triangles: &[usize],
-    (name, rgb): (&str, [f32; 3]),
+    material: Index<Material>,
 ) -> Result<Primitive> {
     let (mut points, mut directions, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     let mut seen: HashMap<(u32, [u32; 3]), u32> = HashMap::new();
@@ -135,7 +152,7 @@ pub(super) fn primitive(
         }
     }
     let attributes = [(Semantic::Positions, glb.positions(&points)), (Semantic::Normals, glb.normals(&directions))];
-    let (indices, material) = (glb.indices(&indices), glb.material(name, rgb, true));
+    let indices = glb.indices(&indices);
     Ok(Glb::primitive(attributes, Some(indices), material, Mode::Triangles))
 }
 

@@ -171,6 +171,14 @@ impl Glb {
         index
     }
 
+    /// Makes a material see-through, lit as it was.
+    pub(super) fn see_through(&mut self, material: Index<Material>, opacity: f32) {
+        if let Some(m) = self.root.materials.get_mut(material.value()) {
+            m.alpha_mode = Checked::Valid(AlphaMode::Blend);
+            m.pbr_metallic_roughness.base_color_factor.0[3] = opacity;
+        }
+    }
+
     /// A texture of one row or column of pixels, as they are, from a PNG file.
     pub(super) fn texture(&mut self, name: &str, png: &[u8]) -> Index<Texture> {
         let view = self.view(png, None);

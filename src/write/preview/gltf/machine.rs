@@ -43,19 +43,29 @@ pub(super) fn table(glb: &mut Glb, scene: &Scene) -> Result<Option<Index<Node>>>
         vec![shown],
         json!({ "what": "the machine's table, schematic: its axis is true, its size is not", "axis": scene.machine.axes()[scene.machine.turning_axis()].name }),
     );
-    // The table's axis in the blade frame, at the root's end.
-    let (clamped, [axis_y, axis_z], _) = scene.machine.shown_table();
-    let at_axis = Point::new(0.0, axis_y, axis_z);
-    let mut at = clamped.inverse() * at_axis;
-    at.x = part.min.x;
-    let to_x = UnitQuaternion::rotation_between(&Vector::z(), &Vector::x()).unwrap_or_default();
-    let q = scene.blade.model_from_blade.rotation * to_x;
+    let (at, along) = table_axis(scene, part.min.x);
+    let to_axis = UnitQuaternion::rotation_between(&Vector::z(), &along).unwrap_or_default();
+    let q = scene.blade.model_from_blade.rotation * to_axis;
     glb.place(
         node,
         triple(&(scene.blade.model_from_blade * at).coords)?,
         [single(q.i)?, single(q.j)?, single(q.k)?, single(q.w)?],
     );
     Ok(Some(node))
+}
+
+/// A point of the table's axis at the end of the part, and its direction, blade frame: about the
+/// blade from its root on; of a wheel, its rotor axis.
+fn table_axis(scene: &Scene, root_x_mm: f64) -> (Point, Vector) {
+    let line = scene.machine.turning_line().filter(|_| !scene.machine.turns_the_blade());
+    if let Some((through, along)) = line {
+        let heights = scene.blade.part.mesh.points.iter().map(|p| (p - through).dot(&along));
+        return (through + along * heights.fold(f64::INFINITY, f64::min), along);
+    }
+    let (clamped, [axis_y, axis_z], _) = scene.machine.shown_table();
+    let mut at = clamped.inverse() * Point::new(0.0, axis_y, axis_z);
+    at.x = root_x_mm;
+    (at, Vector::x())
 }
 
 /// Spindle from the holder's end to the pivot, and the pivot's axle; in the tool's frame.

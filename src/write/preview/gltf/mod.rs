@@ -19,6 +19,9 @@
 //!     and, orange, of all;
 //!   * `base vectors`: the tool axis at each turn's base point; `altered points`: where the
 //!     curvature of sections changes sign;
+//!   * `neighbours`, where the blade is one of a wheel: the other blades and the hub that the
+//!     checks keep the tool from, one node for each; those beside the blade share its triangles,
+//!     all others share a thinner mesh;
 //!   * `table`: the machine's table, schematic;
 //! * `tool`: origin at the ball centre, +Z towards the spindle, moved by both animations; its parts
 //!   are nodes of their own (`ball`, `taper`, `shank`, `holder 1` …), and so is `head`: spindle and
@@ -37,6 +40,7 @@ mod glb;
 mod machine;
 mod marks;
 mod motion;
+mod neighbours;
 mod path;
 mod pinch;
 mod revolved;
@@ -49,7 +53,7 @@ use json::scene::{Node, UnitQuaternion};
 use serde_json::json;
 
 use crate::artifact::region::Area;
-use crate::artifact::{Blade, CheckReport, Plan, Section};
+use crate::artifact::{Blade, CheckReport, Obstacle, Plan, Section};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::mesh::Mesh;
 use crate::machine::Machine;
@@ -94,6 +98,8 @@ impl Default for GltfOptions {
 pub struct Scene<'a> {
     /// The blade.
     pub blade: &'a Blade,
+    /// What stands about it: of this the rest of its wheel is drawn. May be empty.
+    pub obstacles: &'a [Obstacle],
     /// The tool.
     pub tool: &'a Tool,
     /// The machine.
@@ -166,7 +172,9 @@ pub fn gltf(scene: &Scene) -> Result<Vec<u8>> {
 fn built(scene: &Scene, detail: &Detail) -> Result<Vec<u8>> {
     let mut glb = Glb::new(scene.options.rounded);
     let mut on_table = Vec::new();
-    on_table.extend(blade::node(&mut glb, scene.blade, detail.triangles, scene.options.crease_deg)?);
+    let shown = blade::primitives(&mut glb, scene.blade, detail.triangles, scene.options.crease_deg)?;
+    on_table.extend(shown.as_ref().map(|shown| blade::node(&mut glb, shown)));
+    on_table.extend(neighbours::node(&mut glb, scene, shown.as_ref(), detail)?);
     on_table.extend(uncut::node(&mut glb, scene)?);
     on_table.extend(marks::altered_points(&mut glb, scene)?);
     let (mut children, mut animations) = (Vec::new(), Vec::new());

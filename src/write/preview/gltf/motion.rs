@@ -82,9 +82,22 @@ pub(super) fn lean(b_rad: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector::z(), &Vector::new(sb, cb, 0.0)).unwrap_or_default()
 }
 
+/// The part's place on the machine at a location: where its axes stand, where each location has a
+/// cone of its own; else as [`crate::machine::Machine::shown_part`] shows it.
+fn part_on_machine(plan: &Plan, scene: &Scene, stand: &Stand, row: usize) -> Rigid {
+    let at = plan.motion.position.get(row).filter(|_| plan.toolpath.cones.same().is_none());
+    at.map_or_else(|| scene.machine.shown_part(about_the_blade(stand)), |at| scene.machine.part_at(at))
+}
+
 /// The machine frame's place in the scene, which is the model frame.
-fn scene_from_machine(scene: &Scene) -> Rigid {
+fn scene_from_machine(plan: &Plan, scene: &Scene) -> Rigid {
     let mid = scene.blade.part.mesh.aabb().map_or(crate::geometry::Point::origin(), |b| b.min + (b.max - b.min) * 0.5);
+    if plan.toolpath.cones.same().is_none()
+        && let Some(stand) = plan.stand(0)
+    {
+        let at_first = part_on_machine(plan, scene, &stand, 0) * mid;
+        return Rigid::from_parts((scene.blade.model_from_blade * mid - at_first).into(), UnitQuaternion::identity());
+    }
     let (at_zero, [axis_y, axis_z], _) = scene.machine.shown_table();
     let mut axis = at_zero * mid;
     (axis.y, axis.z) = (axis_y, axis_z);
@@ -103,7 +116,7 @@ pub(super) fn animations(
     let n = plan.toolpath.locations.len().min(plan.schedule.theta.len()).min(plan.motion.t_s.len());
     let speed = scene.play_speed(plan);
     let model = &scene.blade.model_from_blade;
-    let (to_scene, part_from_model) = (scene_from_machine(scene), model.inverse());
+    let (to_scene, part_from_model) = (scene_from_machine(plan, scene), model.inverse());
     let mut times: Vec<f32> = Vec::new();
     let [mut fixed, mut carried, mut turned] = [Track::default(), Track::default(), Track::default()];
     for i in evenly(n, detail.keys) {
@@ -114,7 +127,7 @@ pub(super) fn animations(
         times.push(time);
         let Some(stand) = plan.stand(i) else { continue };
         let in_part = Rigid::from_parts(stand.centre.coords.into(), attitude(&stand));
-        let table = to_scene * scene.machine.shown_part(about_the_blade(&stand));
+        let table = to_scene * part_on_machine(plan, scene, &stand, i);
         fixed.push(&(model * in_part))?;
         carried.push(&(table * in_part))?;
         turned.push(&(table * part_from_model))?;

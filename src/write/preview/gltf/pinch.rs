@@ -74,7 +74,8 @@ fn tool_name(tool: usize) -> String {
 pub fn pinch_parts(blade: &Blade, tools: [&Tool; 2], options: &GltfOptions) -> Result<Vec<u8>> {
     let mut glb = Glb::new(options.rounded);
     let triangles = Detail::of(options.budget_bytes).triangles;
-    let part = blade::node(&mut glb, blade, triangles, options.crease_deg)?.into_iter().collect();
+    let shown = blade::primitives(&mut glb, blade, triangles, options.crease_deg)?;
+    let part = shown.iter().map(|shown| blade::node(&mut glb, shown)).collect();
     let mut children = vec![group(&mut glb, "workpiece", part, &json!({ "what": "all that the table turns" }))];
     for (k, look) in LOOKS.iter().enumerate() {
         children.push(tool::alone(&mut glb, tools[k], &tool_name(k), look)?);

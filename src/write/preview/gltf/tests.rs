@@ -2,10 +2,10 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use crate::artifact::{Cone, Cones};
-use crate::geometry::{Point, Vector};
+use crate::artifact::{Cone, Cones, Wheel};
+use crate::geometry::{Point, Rigid, Vector};
 use crate::sample;
-use nalgebra::{Quaternion, UnitQuaternion};
+use nalgebra::{Quaternion, Unit, UnitQuaternion};
 
 /// The scene of a plan, and of what else a run has.
 fn scene(plan: Option<&Plan>, options: &GltfOptions) -> Result<Vec<u8>> {
@@ -13,6 +13,15 @@ fn scene(plan: Option<&Plan>, options: &GltfOptions) -> Result<Vec<u8>> {
 }
 
 fn scene_on(machine: &Machine, plan: Option<&Plan>, options: &GltfOptions) -> Result<Vec<u8>> {
+    scene_among(&[], machine, plan, options)
+}
+
+fn scene_among(
+    obstacles: &[Obstacle],
+    machine: &Machine,
+    plan: Option<&Plan>,
+    options: &GltfOptions,
+) -> Result<Vec<u8>> {
     let (blade, tool) = (sample::blade(), sample::tool());
     let (sections, mut checks) = (sample::sections(), sample::report());
     checks.uncut_cell_mm2 = 0.5;
@@ -21,6 +30,7 @@ fn scene_on(machine: &Machine, plan: Option<&Plan>, options: &GltfOptions) -> Re
     let figures = json!({ "turns": 3 });
     gltf(&Scene {
         blade: &blade,
+        obstacles,
         tool: &tool,
         machine,
         plan,
@@ -87,6 +97,62 @@ fn the_scene_holds_what_the_run_did_under_a_root_in_metres() {
                 && corners.chunks(6).enumerate().all(|(k, c)| c[0] == 2 * k as u32 && c[5] == c[0] + 3)
         );
     }
+}
+
+/// The neighbours are the part turned by multiples of 360°/N about the rotor axis, each once; the
+/// hub is there, and a fixture is not.
+#[test]
+fn neighbours_are_the_part_turned_by_the_wheel() {
+    let (machine, plan, blade) = (Machine::demo().unwrap(), sample::plan(1, 12), sample::blade());
+    let blades = 7;
+    let wheel =
+        Wheel { axis: Unit::new_normalize(Vector::new(0.1, 1.0, -0.2)), origin: Point::new(-90.0, 3.0, 1.0), blades };
+    let copies: Vec<_> = (2..=blades).map(|k| wheel.turn_to(k)).collect();
+    let body = |name: &str, copies: &[Rigid], of_the_wheel| Obstacle {
+        name: name.into(),
+        part: blade.part.clone(),
+        clearance_mm: 0.1,
+        holder_clearance_mm: 0.1,
+        cut_by_the_tool: false,
+        of_the_wheel,
+        copies: copies.to_vec(),
+    };
+    let around = [body("the other blades", &copies, true), body("hub", &[], true), body("a vice", &[], false)];
+    let options = GltfOptions::default();
+    let (doc, blob) = read(&scene_among(&around, &machine, Some(&plan), &options).unwrap());
+    let node = doc.nodes().find(|n| n.name() == Some("neighbours")).unwrap();
+    let found: Vec<String> = names(node.children());
+    let wanted = (2..=blades).map(|k| format!("blade {k}")).chain(["hub".into()]);
+    assert_eq!(found, wanted.collect::<Vec<_>>());
+    let to_model = blade.model_from_blade;
+    let part: Vec<Point> = blade.part.mesh.points.clone();
+    for (k, child) in node.children().enumerate() {
+        let turn = copies.get(k).copied().unwrap_or_default();
+        let want: Vec<Point> = part.iter().map(|p| to_model * (turn * p)).collect();
+        let (t, q, scale) = child.transform().decomposed();
+        assert_eq!(scale, [1.0; 3]);
+        let place = Rigid::from_parts(point(t).coords.into(), rotation(q));
+        let mesh = child.mesh().unwrap();
+        let at: Vec<Point> = mesh
+            .primitives()
+            .flat_map(|p| {
+                p.reader(|_| Some(&blob)).read_positions().unwrap().map(|v| place * point(v)).collect::<Vec<_>>()
+            })
+            .collect();
+        let near = |all: &[Point], p: &Point| all.iter().any(|q| (q - p).norm() < 1e-3);
+        assert!(at.iter().all(|p| near(&want, p)) && want.iter().all(|p| near(&at, p)), "{:?}", child.name());
+        for p in mesh.primitives() {
+            let pale = p.material().pbr_metallic_roughness().base_color_factor()[3];
+            assert!(pale < 1.0 && p.material().name() == Some("neighbours") && p.mappings().next().is_none());
+        }
+    }
+    // Copies share their triangles: the file is hardly larger.
+    let alone = scene_among(&around[2..], &machine, Some(&plan), &options).unwrap();
+    assert!(!names(read(&alone).0.nodes()).contains(&"neighbours".into()));
+    let whole = scene_among(&around[..1], &machine, Some(&plan), &options).unwrap();
+    assert!(whole.len() < alone.len() + 20_000, "{} {}", whole.len(), alone.len());
+    // A budget of nothing leaves no panic.
+    scene_among(&around, &machine, None, &GltfOptions { budget_bytes: 0, ..options }).unwrap();
 }
 
 #[test]

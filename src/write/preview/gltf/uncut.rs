@@ -39,7 +39,8 @@ pub(super) fn node(glb: &mut Glb, scene: &Scene) -> Result<Option<Index<Node>>> 
     let mesh = mesh.moved(&scene.blade.model_from_blade);
     let normals = corner_normals(&mesh, 0.5);
     let all: Vec<usize> = (0..mesh.triangles.len()).collect();
-    let shown = primitive(glb, &mesh, &normals, &all, ("uncut", COLOUR))?;
+    let material = glb.material("uncut", COLOUR, true);
+    let shown = primitive(glb, &mesh, &normals, &all, material)?;
     let note = json!({
         "places": places.len(),
         "shown_one_in": every,

@@ -6,8 +6,8 @@ use std::ops::Range;
 use serde_json::{Value, json};
 
 use super::pack::{DIGITS, Pack, TIME};
-use super::{ReportInput, scallop, scene};
-use crate::artifact::{AxisMotion, AxisRows, Plan, Section};
+use super::{ReportInput, free_axes, scallop, scene};
+use crate::artifact::{AxisMotion, AxisRows, Plan, Section, Sweep};
 use crate::machine::{Axis, Machine};
 use crate::write::draw::colour;
 use crate::write::preview::values;
@@ -32,6 +32,7 @@ pub(super) fn payload(input: &ReportInput, pack: &mut Pack) -> Value {
         "sections": sections(input.sections, pack),
         "scallop": scallop::data(input, pack),
         "scene": scene::scene(input, pack),
+        "free_axes": free_axes::data(input, &scene::picked(input.plan), pack),
         "colours": colour::STOPS.map(colour::hex),
         "no_colour": colour::hex(colour::NONE),
         "left_out": values::LEFT_OUT,
@@ -148,14 +149,16 @@ pub(super) fn motion_of(
         json!([pack.list(DIGITS, pieces.iter().map(at)), v, a, j])
     });
     let axes: Vec<Value> = axes.collect();
-    json!({ "t": t, "from": rounded(start, 4), "axes": axes })
+    let zero = counted.and_then(|k| Some(first.get(k)? * all[k].scale()));
+    json!({ "t": t, "from": rounded(start, 4), "zero": rounded(zero.unwrap_or(0.0), 3), "axes": axes })
 }
 
 fn axes(plan: &Plan, input: &ReportInput, pack: &mut Pack) -> Value {
     let ranges = ranges(plan);
     let most = (AXIS_POINTS / ranges.len().max(1)).clamp(40, 400);
     let baseline = input.baseline.and_then(|b| b.motion);
-    let turning = Some(input.machine.turning_axis());
+    // What goes round with the blade turn after turn counts from the start of a turn.
+    let turning = (plan.channel.sweep != Sweep::Swing).then(|| input.machine.turning_axis());
     let mut turns = Vec::new();
     for range in &ranges {
         let pieces = stretches(range, most);
@@ -174,6 +177,7 @@ pub(super) fn axes_with(machine: &Machine, counted: Option<usize>, turns: Vec<Va
         "counted": counted,
         "names": axes.iter().map(|a| &a.name).collect::<Vec<_>>(),
         "units": axes.iter().map(Axis::sign).collect::<Vec<_>>(),
+        "rotary": machine.rotary().collect::<Vec<_>>(),
         "limits": axes.iter().map(|a| (a.limits, a.scale())).map(|(l, scale)| json!([
             rounded(l.velocity * scale, 3), rounded(l.acceleration * scale, 3), rounded(l.jerk * scale, 3)
         ])).collect::<Vec<_>>(),

@@ -30,6 +30,7 @@
 mod channel;
 mod data;
 mod figures;
+mod free_axes;
 mod pack;
 mod payload;
 pub mod pinch;
@@ -46,6 +47,7 @@ use serde_json::Value;
 
 use crate::artifact::channel::Width;
 use crate::artifact::obstacle::Obstacle;
+use crate::artifact::sphere::FreeAlong;
 use crate::artifact::{Blade, CheckReport, Plan, Program, Section};
 use crate::error::Result;
 use crate::machine::Machine;
@@ -87,8 +89,10 @@ pub struct ReportInput<'a> {
     pub compare: Option<File<'a>>,
     /// Width of the channel at other angles B; may be empty.
     pub widths: &'a [Width],
-    /// Fixtures and stock.
+    /// Fixtures, stock and the rest of the wheel.
     pub obstacles: &'a [Obstacle],
+    /// The free tool axes at some locations of the plan.
+    pub free_axes: Option<&'a FreeAlong>,
     /// Plane sections.
     pub sections: &'a [Section],
     /// What the checks found; `None`: nothing was checked.
@@ -119,16 +123,22 @@ pub fn html(input: &ReportInput) -> Result<String> {
 /// # Errors
 /// `InputOutput` where the program's lines cannot be encoded.
 pub fn page(input: &ReportInput, payload: &Payload) -> Result<String> {
+    let free_axes = free_axes::section(input);
+    let mut nav = NAV.to_vec();
+    if !free_axes.is_empty() {
+        nav.insert(1, ("free-axes", "Free axes"));
+    }
     let head = tables::Head {
         title: input.title,
         blade: &input.blade.name,
         machine: &input.machine.name,
         checks: input.checks.map(|r| r.checks.iter().collect()).unwrap_or_default(),
         forced: input.forced,
-        nav: &NAV,
+        nav: &nav,
     };
     let sections = [
         filled(include_str!("view.html"), &PLAN_WORDS),
+        free_axes.to_owned(),
         figures::figures(input),
         sheet::section(input),
         tables::checks(input),

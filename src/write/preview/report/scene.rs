@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::ReportInput;
 use super::pack::{self, DIGITS, Pack, TIME};
-use crate::artifact::{Blade, Cone};
+use crate::artifact::{Blade, Cone, Plan};
 use crate::error::Result;
 use crate::machine::Machine;
 use crate::tool::Tool;
@@ -34,6 +34,7 @@ pub(super) fn glb(input: &ReportInput) -> Result<String> {
     let options = options();
     let bytes = gltf(&Scene {
         blade: input.blade,
+        obstacles: input.obstacles,
         tool: input.tool,
         machine: input.machine,
         plan: input.plan.filter(|p| !p.toolpath.locations.is_empty()),
@@ -83,13 +84,22 @@ pub(super) fn quantity(v: &Values, of: impl Iterator<Item = f64>, pack: &mut Pac
     json!({ "key": v.key, "name": v.name, "unit": v.unit, "range": v.range, "shown": v.shown, "of": of })
 }
 
-fn path(input: &ReportInput, pack: &mut Pack) -> Value {
-    let Some(plan) = input.plan else { return Value::Null };
-    let locations = &plan.toolpath.locations;
-    let n = locations.len().min(plan.schedule.theta.len()).min(plan.channel.rows.len());
+/// Locations of a plan that have all that is shown of them.
+fn shown(plan: &Plan) -> usize {
+    plan.toolpath.locations.len().min(plan.schedule.theta.len()).min(plan.channel.rows.len())
+}
+
+/// The locations that the path of the view goes through.
+pub(super) fn picked(plan: Option<&Plan>) -> Vec<usize> {
+    let n = plan.map_or(0, shown);
     let count = n.min(PATH);
     let pick = |k: usize| if count > 1 { k * (n - 1) / (count - 1) } else { 0 };
-    let picked: Vec<usize> = (0..count).map(pick).collect();
+    (0..count).map(pick).collect()
+}
+
+fn path(input: &ReportInput, pack: &mut Pack) -> Value {
+    let Some(plan) = input.plan else { return Value::Null };
+    let (locations, n, picked) = (&plan.toolpath.locations, shown(plan), picked(input.plan));
     let quantities: Vec<Value> = values::all(plan, input.machine, input.checks)
         .iter()
         .map(|v| quantity(v, picked.iter().map(|&i| v.of.get(i).copied().unwrap_or(f64::NAN)), pack))
@@ -116,6 +126,28 @@ fn path(input: &ReportInput, pack: &mut Pack) -> Value {
         for (key, k) in [("ix", 0), ("iy", 1), ("iz", 2)] {
             out[key] = of(RADIANS, &|i| axis(i)[k]);
         }
+        out["part"] = part_on_machine(input, plan, &picked, pack);
     }
     out
+}
+
+/// Where the part is on the machine at locations of a plan: lists of its rotation's quaternion
+/// (x, y, z, w) and of where the blade frame's origin is, mm.
+fn part_on_machine(input: &ReportInput, plan: &Plan, picked: &[usize], pack: &mut Pack) -> Value {
+    let mut last = None;
+    let place = |i: &usize| {
+        let Some(at) = plan.motion.position.get(*i) else { return [f64::NAN; 7] };
+        let place = input.machine.part_at(at);
+        let mut q = *place.rotation.quaternion();
+        // Both signs are the same rotation; between neighbours the script takes the mean.
+        if last.is_some_and(|l: nalgebra::Quaternion<f64>| l.dot(&q) < 0.0) {
+            q = -q;
+        }
+        last = Some(q);
+        let t = place.translation.vector;
+        [q.i, q.j, q.k, q.w, t.x, t.y, t.z]
+    };
+    let places: Vec<[f64; 7]> = picked.iter().map(place).collect();
+    let list = |k: usize| pack.list(if k < 4 { RADIANS } else { DIGITS }, places.iter().map(|p| p[k]));
+    Value::Array((0..7).map(list).collect())
 }

@@ -4,7 +4,10 @@
 use serde_json::Value;
 
 use super::*;
+use crate::artifact::channel::Binding;
 use crate::artifact::program::{Asked, CutLine, Grammar, Language, Programmed, Setting};
+use crate::artifact::sphere::{self, CellState, FreeSphere, SphereCell};
+use crate::artifact::{Cone, Cones, Sweep, ToolPart};
 use crate::error::Stage;
 use crate::observe::Doubt;
 use crate::sample;
@@ -72,6 +75,7 @@ fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
         compare: None,
         widths: &widths,
         obstacles: &[],
+        free_axes: None,
         sections: &sections,
         checks: Some(&report),
         forced: false,
@@ -196,6 +200,49 @@ fn empty_and_odd_data_make_a_page_without_panic() {
     assert!(with_input(Some(&plan), |i| html(&i)).unwrap().contains("</html>"));
     plan.toolpath.locations.clear();
     assert!(with_input(Some(&plan), |i| html(&i)).unwrap().contains("</html>"));
+}
+
+/// A plan of which every location has a cone of its own.
+fn in_five_axes(turns: usize, per_turn: usize) -> Plan {
+    let mut plan = sample::plan(turns, per_turn);
+    let last = plan.toolpath.locations.len() as f64 - 1.0;
+    let leaning = |k: usize| Cone::about_blade(sample::B_RAD + 0.3 * k as f64 / last);
+    plan.toolpath.cones = Cones::along((0..plan.toolpath.locations.len()).map(leaning).collect());
+    plan.channel.sweep = Sweep::Swing;
+    plan
+}
+
+#[test]
+fn maps_of_free_axes_stand_where_they_were_made() {
+    let plan = in_five_axes(2, 90);
+    let cells = sphere::octants().map(|corners| SphereCell { corners, state: CellState::Taken(0) });
+    let part = Binding::Part { tool: ToolPart::Shank, face: 0, triangle: 3 };
+    let taken = FreeSphere { cells: cells.to_vec(), bindings: vec![part] };
+    let nearest: Vec<usize> = (0..plan.toolpath.locations.len()).map(|k| usize::from(k > 90)).collect();
+    let along = FreeAlong { maps: vec![(30, taken.clone()), (150, taken)], nearest };
+    let page = with_input(Some(&plan), |i| html(&ReportInput { free_axes: Some(&along), ..i })).unwrap();
+    assert!(page.contains("<section id=\"free-axes\">") && page.contains("href=\"#free-axes\""));
+    let (d, list) = (data(&page), |v: &Value| numbers(&page, v));
+    let maps = &d["free_axes"]["maps"];
+    assert_eq!((maps[0]["turn"].as_u64(), maps[1]["turn"].as_u64()), (Some(1), Some(2)));
+    assert!((maps[1]["s"].as_f64().unwrap() - plan.toolpath.locations[150].s_mm).abs() < 1e-3);
+    assert_eq!(list(&maps[0]["cells"]), [3.0; 8]);
+    assert_eq!(d["free_axes"]["names"], serde_json::json!([["blade", "shank against the part"]]));
+    let nearest = list(&d["free_axes"]["nearest"]);
+    assert!(nearest.len() == 181 && nearest[90] == 0.0 && nearest[91] == 1.0);
+    // Axes of a plan that swings are shown where they are; those that go round from a turn's start.
+    assert!(d["axes"]["turning"].is_null() && d["axes"]["rotary"] == serde_json::json!([3, 4]));
+    let position = |page: &str, turn: usize| {
+        let of = &data(page)["axes"]["turns"][turn]["plan"];
+        (numbers(page, &of["axes"][3][0])[0], of["zero"].as_f64().unwrap())
+    };
+    let at = |row: usize| plan.motion.position[row][3].to_degrees();
+    assert!((position(&page, 1).0 - at(90)).abs() < 1e-3 && position(&page, 1).1 == 0.0);
+    let round = sample::plan(2, 90);
+    let page = with_input(Some(&round), |i| html(&i)).unwrap();
+    assert!(position(&page, 1).0 == 0.0 && (position(&page, 1).1 - at(90)).abs() < 1e-3);
+    // One cone for all: the channel says all of it.
+    assert!(!page.replace(VIEWER, "").contains("free-axes") && data(&page)["free_axes"].is_null());
 }
 
 #[test]
