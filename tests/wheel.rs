@@ -159,12 +159,13 @@ fn maps_of_free_axes_are_those_of_the_exact_check() {
     assert!((16..=32).contains(&along.maps.len()) && along.nearest.len() == plan.toolpath.locations.len());
     let (around, options) = (setup.surroundings().expect("bodies"), setup.channel_options());
     let (mut free, mut taken) = (0, 0);
-    for (row, sphere) in &along.maps {
+    for (k, (row, sphere)) in along.maps.iter().enumerate() {
         assert!((sphere.shares().iter().sum::<f64>() - 1.0).abs() < 1e-9);
         let axis = plan.stand(*row).expect("a location").axis();
         let at = sphere.cell_at(&axis).expect("a cell").state;
         assert!(!matches!(at, CellState::Taken(_)), "the plan's axis at location {row} is taken");
-        let cells: Vec<_> = sphere.cells.iter().step_by(101).collect();
+        // Some cells of some maps: the circles take longer than the maps.
+        let cells: Vec<_> = sphere.cells.iter().step_by(if k % 4 == 0 { 53 } else { usize::MAX }).collect();
         let middle = |c: &SphereCell| (c.corners[0] + c.corners[1] + c.corners[2]).normalize();
         // The circle square to a direction beside the axis, which stands at θ = 0.
         let cone = |c: &&SphereCell| Cone::new(middle(c).cross(&Vector::new(0.3, -0.5, 0.8)), middle(c), 0.0);
