@@ -131,7 +131,16 @@ impl<'a> Surroundings<'a> {
                 return bad("points that are not finite");
             }
         }
-        let trees = parallel::map(&meshes, |(_, mesh)| SphereTree::new(mesh, 0.5 * radius_mm));
+        let part = &blade.part.mesh;
+        let tree = |k: usize| {
+            let mesh = meshes[k].1;
+            let copies = k.checked_sub(1).map_or(&[][..], |o| &obstacles[o].copies);
+            match !copies.is_empty() && mesh.triangles.len() == copies.len() * part.triangles.len() {
+                true => SphereTree::of_copies(part, copies, 0.5 * radius_mm),
+                false => SphereTree::new(mesh, 0.5 * radius_mm),
+            }
+        };
+        let trees = parallel::map(0..meshes.len(), tree);
         Ok(Surroundings { blade, obstacles, trees, part_off_mm: blade.part.deflection_mm })
     }
 

@@ -2,7 +2,7 @@
 
 use crate::geometry::mesh::Mesh;
 use crate::geometry::triangle::area_mm2;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, Rigid, Vector};
 use crate::parallel;
 
 /// A node: the sphere and the box around all its triangles, about the same centre; its first child
@@ -18,6 +18,9 @@ pub(super) struct SphereNode {
 }
 
 const LEAF: u32 = 1 << 31;
+/// A node around nothing.
+const EMPTY: SphereNode =
+    SphereNode { centre: Point::new(0.0, 0.0, 0.0), radius: 0.0, half: [Vector::new(0.0, 0.0, 0.0); 3], link: 0 };
 
 /// What is below a node.
 pub(super) enum Below {
@@ -65,13 +68,55 @@ impl SphereTree {
             pieces.iter().map(|[a, b, c]| Point::from((a.coords + b.coords + c.coords) / 3.0)).collect();
         let twice_areas: Vec<Vector> = pieces.iter().map(|[a, b, c]| (b - a).cross(&(c - a))).collect();
         let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
-        let empty = SphereNode { centre: Point::origin(), radius: 0.0, half: [Vector::zeros(); 3], link: 0 };
-        let mut nodes = vec![empty; (2 * order.len()).saturating_sub(1)];
+        let mut nodes = vec![EMPTY; (2 * order.len()).saturating_sub(1)];
         if !order.is_empty() {
             Builder { pieces: &pieces, centres: &centres, twice_areas: &twice_areas }.build(&mut order, &mut nodes, 0);
         }
         let spheres = pieces.iter().map(around_triangle).collect();
         SphereTree { nodes, pieces, spheres, parents }
+    }
+
+    /// As [`Self::new`] for copies of a mesh, in this order: one tree is built, and turned.
+    pub fn of_copies(mesh: &Mesh, copies: &[Rigid], side_mm: f64) -> Self {
+        let area_mm2: f64 = (0..mesh.triangles.len()).map(|t| mesh.triangle_area_mm2(t)).sum();
+        let coarsest = (area_mm2 * copies.len() as f64 / MOST_PIECES as f64).sqrt();
+        let one = Self::new(mesh, side_mm.max(coarsest));
+        let count = mesh.triangles.len() as u32;
+        let pieces = copies.iter().flat_map(|c| one.pieces.iter().map(move |p| p.map(|p| c * p))).collect();
+        let spheres = copies.iter().flat_map(|c| one.spheres.iter().map(move |(p, r)| (c * p, *r))).collect();
+        let parents = (0..copies.len() as u32).flat_map(|k| one.parents.iter().map(move |t| k * count + t)).collect();
+        let mut tree =
+            SphereTree { nodes: Vec::with_capacity(2 * copies.len() * one.pieces.len()), pieces, spheres, parents };
+        let mut order: Vec<usize> = (0..copies.len()).collect();
+        if one.root().is_some() {
+            tree.join(&mut order, &one, copies);
+        }
+        tree
+    }
+
+    /// Makes the node of some copies of a tree, and all below it, behind the nodes that are there.
+    fn join(&mut self, order: &mut [usize], one: &SphereTree, copies: &[Rigid]) {
+        let here = self.nodes.len() as u32;
+        let turned = |copy: usize, node: &SphereNode| {
+            let turn = &copies[copy];
+            SphereNode { centre: turn * node.centre, half: node.half.map(|h| turn * h), ..*node }
+        };
+        if let [copy] = order {
+            let piece = (*copy * one.pieces.len()) as u32;
+            let linked = |n: &SphereNode| n.link + if n.link >= LEAF { piece } else { here };
+            self.nodes.extend(one.nodes.iter().map(|n| SphereNode { link: linked(n), ..turned(*copy, n) }));
+            return;
+        }
+        let roots: Vec<SphereNode> = order.iter().map(|k| turned(*k, &one.nodes[0])).collect();
+        let node = around_nodes(&roots);
+        let side = Vector::from(node.half.map(|h| h.norm())).imax();
+        let along = |k: &usize| (copies[*k] * one.nodes[0].centre)[side];
+        self.nodes.push(node);
+        order.sort_by(|a, b| along(a).total_cmp(&along(b)).then(a.cmp(b)));
+        let (left, right) = order.split_at_mut(order.len() / 2);
+        self.join(left, one, copies);
+        self.nodes[here as usize].link = self.nodes.len() as u32;
+        self.join(right, one, copies);
     }
 
     /// Corners of a piece.
@@ -198,6 +243,16 @@ impl Builder<'_> {
     }
 }
 
+/// A node around others, its box along x, y and z, without children.
+fn around_nodes(nodes: &[SphereNode]) -> SphereNode {
+    let reach = |n: &SphereNode| n.half.iter().map(Vector::abs).sum::<Vector>();
+    let ends = nodes.iter().map(|n| (n.centre - reach(n), n.centre + reach(n)));
+    let Some((lo, hi)) = ends.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1))) else { return EMPTY };
+    let (centre, half) = (nalgebra::center(&lo, &hi), (hi - lo) * (0.5 + 1e-12));
+    let radius = nodes.iter().map(|n| (n.centre - centre).norm() + n.radius).fold(0.0, f64::max) * (1.0 + 1e-12);
+    SphereNode { centre, radius, half: [Vector::x() * half.x, Vector::y() * half.y, Vector::z() * half.z], link: 0 }
+}
+
 /// The smallest sphere around a triangle; its centre is a point of the triangle.
 pub(super) fn around_triangle(corners: &[Point; 3]) -> (Point, f64) {
     let [a, b, c] = corners;
@@ -255,6 +310,7 @@ pub(super) fn halves(corners: &[Point; 3]) -> [[Point; 3]; 2] {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
@@ -280,5 +336,52 @@ mod tests {
         mesh.triangles.truncate(2);
         let tree = SphereTree::new(&mesh, 1.0);
         assert!(tree.pieces.len() > 2000 && tree.spheres.iter().all(|s| s.1 < 1.0), "{}", tree.pieces.len());
+    }
+
+    /// Every node of a tree of copies holds its pieces, and these are those of the turned mesh.
+    #[test]
+    fn copies_of_a_tree_are_a_tree_of_the_copies() {
+        let mut mesh = Mesh::default();
+        for k in 0..40 {
+            let at = |i: f64| {
+                Point::new(0.3 * f64::from(k), (1.7 * f64::from(k) + i).sin(), 20.0 + (f64::from(k) * i).cos())
+            };
+            mesh.points.extend([at(0.0), at(1.0), at(2.3)]);
+            mesh.triangles.push([3 * k as u32, 3 * k as u32 + 1, 3 * k as u32 + 2]);
+        }
+        let copies: Vec<Rigid> = (1..8).map(|k| Rigid::rotation(Vector::x() * (0.7 * f64::from(k)))).collect();
+        let tree = SphereTree::of_copies(&mesh, &copies, 0.8);
+        let mut met = vec![0; tree.pieces.len()];
+        // From the root: the node, and those above it.
+        let mut open = vec![(0, vec![])];
+        while let Some((node, above)) = open.pop() {
+            let above = [&above[..], &[node]].concat();
+            match tree.below(node) {
+                Below::Nodes(a, b) => open.extend([(a, above.clone()), (b, above)]),
+                Below::Leaf(piece) => {
+                    met[piece as usize] += 1;
+                    for node in above.iter().map(|n| tree.node(*n)) {
+                        for corner in tree.corners(piece) {
+                            let off = corner - node.centre;
+                            assert!(off.norm() <= node.radius + 1e-9);
+                            for h in node.half {
+                                assert!(off.dot(&h).abs() <= h.norm_squared() + 1e-9 * h.norm());
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(met.iter().all(|n| *n == 1));
+        let area = |tree: &SphereTree| tree.pieces.iter().map(area_mm2).sum::<f64>();
+        assert!((area(&tree) - 7.0 * area(&SphereTree::new(&mesh, 0.8))).abs() < 1e-9);
+        // A triangle and its pieces are of one copy.
+        for triangle in [1, 39, 41, 150, 279] {
+            let piece = tree.leaf_of(triangle).unwrap();
+            assert_eq!(tree.triangle(piece), triangle);
+            let (turn, own) = (&copies[triangle as usize / 40], mesh.corners(triangle as usize % 40));
+            let plane = (own[1] - own[0]).cross(&(own[2] - own[0])).normalize();
+            assert!(tree.corners(piece).iter().all(|c| plane.dot(&(turn.inverse() * c - own[0])).abs() < 1e-9));
+        }
     }
 }

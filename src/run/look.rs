@@ -197,12 +197,14 @@ pub fn preview_again(
     let plan = verdict.value();
     let baseline = fixed_lead(setup, plan, &recorder)?;
     let (mut report, mut program) = (verdict.report().clone(), None);
-    report.checks.extend_from_slice(files);
     if let Verdict::Passed(verified) = verdict {
         let again = programs_again(setup, verified, folder, *wrote_programs)?;
         report.checks.extend(again.checks);
         program = again.first;
     }
+    // The page names places in `verify.json`, so what that does not have comes last: of the files
+    // of the folder what is wrong.
+    report.checks.extend(files.iter().filter(|c| !c.passed).cloned());
     let figures = compare(setup, plan, &baseline)?;
     let figures = summary::summary(&setup.blade.name, plan, &report, figures, setup.machine.axes());
     let mut summary = json_of(&figures)?;
