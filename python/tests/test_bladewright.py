@@ -228,8 +228,10 @@ def test_an_exception_of_progress_stops_the_plan() -> None:
     assert time.monotonic() - begun < 20
 
 
+# A shell without job control has what it runs in the background ignore SIGINT.
 INTERRUPTED = """
-import sys, bladewright
+import signal, sys, bladewright
+signal.signal(signal.SIGINT, signal.default_int_handler)
 def told(stage, done, total):
     print(stage, flush=True)
 try:

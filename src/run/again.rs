@@ -103,18 +103,18 @@ impl Finished {
 }
 
 impl Checked {
-    /// All that the checks found: on the plan, on the files of the folder, and on its programs,
-    /// read back.
+    /// All that the checks found: on the plan, on its programs, read back, and on the files of the
+    /// folder. Those on the plan and its programs stand where a run has them.
     ///
     /// # Errors
     /// Those of [`programs_again`].
     pub fn report(self, folder: &RunFolder) -> Result<CheckReport> {
         let Checked { loaded, verdict, files, wrote_programs, .. } = self;
         let mut report = verdict.report().clone();
-        report.checks.extend(files);
         if let Some(verified) = plan::accept(verdict, true) {
             report.checks.extend(programs_again(&loaded.setup, &verified, folder, wrote_programs)?.checks);
         }
+        report.checks.extend(files);
         Ok(report)
     }
 }

@@ -202,9 +202,11 @@ pub fn preview_again(
         report.checks.extend(again.checks);
         program = again.first;
     }
-    // The page names places in `verify.json`, so what that does not have comes last: of the files
-    // of the folder what is wrong.
-    report.checks.extend(files.iter().filter(|c| !c.passed).cloned());
+    // The page names places in `verify.json`. That has the checks of the folder's files, last, only
+    // where the run was verified anew; what is wrong with files is shown in any case.
+    let verified = folder.existing("verify.json").and_then(|t| serde_json::from_str::<CheckReport>(&t).ok());
+    let judged = verified.is_some_and(|r| r.checks.iter().any(|c| c.id.is_of_files()));
+    report.checks.extend(files.iter().filter(|c| judged || !c.passed).cloned());
     let figures = compare(setup, plan, &baseline)?;
     let figures = summary::summary(&setup.blade.name, plan, &report, figures, setup.machine.axes());
     let mut summary = json_of(&figures)?;
