@@ -1,7 +1,27 @@
 // What the tests of all reports ask of a page.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { readFileSync, statSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { launch } from './browser.mjs';
+
+/** Most that a report may have, MB. */
+const MOST_MB = 4;
+
+/** Tries the report of each folder that the command line names: `one(browser, folder, url)` gives what is printed of it. */
+export async function everyReport(one) {
+  const browser = await launch();
+  try {
+    for (const folder of process.argv.slice(2)) {
+      const file = resolve(folder, 'report.html');
+      const mb = statSync(file).size / 1e6;
+      assert.ok(mb <= MOST_MB, `${file} is ${mb.toFixed(2)} MB`);
+      console.log(`${folder}: ${mb.toFixed(2)} MB, ${await one(browser, folder, pathToFileURL(file).href)}`);
+    }
+  } finally {
+    await browser.close();
+  }
+}
 
 /** How many colours the canvas shows, and a hash of its pixels. */
 export const look = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {

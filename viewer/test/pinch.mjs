@@ -5,11 +5,10 @@
 // and are linked with the view; every figure shown is the one in pinch.json; a phone's width does
 // not overflow.
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync, statSync } from 'node:fs';
-import { basename, join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
-import { launch, open } from './browser.mjs';
-import { figures, look, plays, set } from './page.mjs';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { open } from './browser.mjs';
+import { everyReport, figures, look, plays, set } from './page.mjs';
 
 const shots = process.env.SHOTS;
 if (shots) mkdirSync(shots, { recursive: true });
@@ -109,17 +108,8 @@ async function phone(browser, folder, url) {
   await page.close();
 }
 
-const browser = await launch();
-try {
-  for (const folder of process.argv.slice(2)) {
-    const file = resolve(folder, 'report.html');
-    const mb = statSync(file).size / 1e6;
-    assert.ok(mb <= 4, `${file} is ${mb.toFixed(2)} MB`);
-    const url = pathToFileURL(file).href;
-    const shown = await desktop(browser, folder, url);
-    await phone(browser, folder, url);
-    console.log(`${folder}: ${mb.toFixed(2)} MB, both tools move, all plots have data, ${shown} figures as in the file`);
-  }
-} finally {
-  await browser.close();
-}
+await everyReport(async (browser, folder, url) => {
+  const shown = await desktop(browser, folder, url);
+  await phone(browser, folder, url);
+  return `both tools move, all plots have data, ${shown} figures as in the file`;
+});

@@ -7,11 +7,10 @@
 // the fold; every colouring has its legend and more than one colour; the line of the program is the
 // file's; the sheet of setup and tool is one page of paper.
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync, statSync } from 'node:fs';
-import { basename, join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
-import { launch, open } from './browser.mjs';
-import { figures, look, plays, set } from './page.mjs';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { open } from './browser.mjs';
+import { everyReport, figures, look, plays, set } from './page.mjs';
 import { wheel } from './wheel.mjs';
 
 const READY_MS = +(process.env.READY_MS || 3000);
@@ -243,19 +242,10 @@ async function picture(browser, folder, url, [width, height], suffix) {
   await page.close();
 }
 
-const browser = await launch();
-try {
-  for (const folder of process.argv.slice(2)) {
-    const file = resolve(folder, 'report.html');
-    const mb = statSync(file).size / 1e6;
-    assert.ok(mb <= 4, `${file} is ${mb.toFixed(2)} MB`);
-    const url = pathToFileURL(file).href;
-    const { ready, drawn, shown } = await desktop(browser, folder, url);
-    assert.ok(ready <= READY_MS, `${file} is interactive after ${ready} ms only`);
-    await picture(browser, folder, url, [1440, 900], '1440');
-    await picture(browser, folder, url, [390, 844], '390');
-    console.log(`${folder}: ${mb.toFixed(2)} MB, interactive after ${ready} ms, all plots after ${drawn} ms, ${shown} figures as in the files`);
-  }
-} finally {
-  await browser.close();
-}
+await everyReport(async (browser, folder, url) => {
+  const { ready, drawn, shown } = await desktop(browser, folder, url);
+  assert.ok(ready <= READY_MS, `${folder} is interactive after ${ready} ms only`);
+  await picture(browser, folder, url, [1440, 900], '1440');
+  await picture(browser, folder, url, [390, 844], '390');
+  return `interactive after ${ready} ms, all plots after ${drawn} ms, ${shown} figures as in the files`;
+});
