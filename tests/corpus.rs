@@ -326,7 +326,7 @@ fn corpus_thin_blades_are_cut_once() {
     ];
     for (file, scallop_mm, least_mm2, is_whole) in plans {
         // The short form lays the coarse turns, one whole plan among them.
-        if is_short() && (scallop_mm < 0.03 || scallop_mm == 0.05) {
+        if is_short() && scallop_mm < 0.03 {
             continue;
         }
         let model = folder.join(file);

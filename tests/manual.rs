@@ -49,8 +49,8 @@ fn as_here(line: &str) -> Option<String> {
 }
 
 /// In the short form, which CI asks for, commands mill ridges three times as high as printed, on
-/// chords twice as far off, and checks look at the part in fewer places. Jobs that are planned as
-/// they are do so too.
+/// chords twice as far off, and checks look at the part in fewer places; so do commands that plan a
+/// job without a scallop of their own.
 fn shortened(line: String) -> String {
     if std::env::var_os("BLADEWRIGHT_SHORT").is_none() {
         return line;

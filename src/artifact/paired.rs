@@ -173,12 +173,19 @@ pub struct StretchMotion {
     pub row: usize,
     /// Its places.
     pub places: Range<usize>,
-    /// All axes, a row for each place.
+    /// All axes, a row for each place; of two places also one between them.
     pub motion: AxisMotion,
     /// All axes over its first place and its last, both tools clear of the turning part.
     pub over: [Axes; 2],
     /// How far both tools are lifted there, along their axes, mm.
     pub lifts_mm: [[f64; 2]; 2],
+}
+
+impl StretchMotion {
+    /// The row of the motion at a place of the stretch, counted from its first.
+    pub fn row_at(&self, place: usize) -> usize {
+        if place + 1 == self.places.len() { self.motion.t_s.len().saturating_sub(1) } else { place }
+    }
 }
 
 /// All stretches.

@@ -120,9 +120,10 @@ impl<'a> Surroundings<'a> {
     /// # Errors
     /// Kind `Usage`: a mesh is empty or not finite.
     pub fn new(blade: &'a Blade, obstacles: &'a [Obstacle], radius_mm: f64) -> Result<Self> {
-        let meshes = std::iter::once(("the part", &blade.part.mesh));
-        let meshes: Vec<_> = meshes.chain(obstacles.iter().map(|o| (o.name.as_str(), &o.part.mesh))).collect();
-        for (name, mesh) in &meshes {
+        let bodies = std::iter::once(("the part", &blade.part.mesh, &[][..]));
+        let others = obstacles.iter().map(|o| (o.name.as_str(), &o.part.mesh, &o.copies[..]));
+        let bodies: Vec<_> = bodies.chain(others).collect();
+        for (name, mesh, _) in &bodies {
             let bad = |m: &str| Err(Error::usage(Stage::Channel, format!("{name} has {m}")));
             if mesh.triangles.is_empty() {
                 return bad("no triangles");
@@ -131,16 +132,7 @@ impl<'a> Surroundings<'a> {
                 return bad("points that are not finite");
             }
         }
-        let part = &blade.part.mesh;
-        let tree = |k: usize| {
-            let mesh = meshes[k].1;
-            let copies = k.checked_sub(1).map_or(&[][..], |o| &obstacles[o].copies);
-            match !copies.is_empty() && mesh.triangles.len() == copies.len() * part.triangles.len() {
-                true => SphereTree::of_copies(part, copies, 0.5 * radius_mm),
-                false => SphereTree::new(mesh, 0.5 * radius_mm),
-            }
-        };
-        let trees = parallel::map(0..meshes.len(), tree);
+        let trees = parallel::map(&bodies, |(_, mesh, copies)| SphereTree::of_copies(mesh, copies, 0.5 * radius_mm));
         Ok(Surroundings { blade, obstacles, trees, part_off_mm: blade.part.deflection_mm })
     }
 

@@ -57,7 +57,7 @@ impl SphereTree {
     /// As [`Self::new`] for triangles that each belong to one of a mesh, in rising order.
     pub fn of(corners: &[[Point; 3]], parents: &[u32], side_mm: f64) -> Self {
         let area_mm2: f64 = corners.iter().map(area_mm2).sum();
-        let mut side_mm = side_mm.max((area_mm2 / MOST_PIECES as f64).sqrt());
+        let mut side_mm = finest_mm(side_mm, area_mm2);
         let (pieces, parents) = loop {
             match cut(corners, parents, side_mm) {
                 Some(found) => break found,
@@ -76,21 +76,24 @@ impl SphereTree {
         SphereTree { nodes, pieces, spheres, parents }
     }
 
-    /// As [`Self::new`] for copies of a mesh, in this order: one tree is built, and turned.
+    /// As [`Self::new`] for a mesh of copies, each with as many triangles and in this order: the
+    /// tree of the first is built, and turned for the others.
     pub fn of_copies(mesh: &Mesh, copies: &[Rigid], side_mm: f64) -> Self {
-        let area_mm2: f64 = (0..mesh.triangles.len()).map(|t| mesh.triangle_area_mm2(t)).sum();
-        let coarsest = (area_mm2 * copies.len() as f64 / MOST_PIECES as f64).sqrt();
-        let one = Self::new(mesh, side_mm.max(coarsest));
-        let count = mesh.triangles.len() as u32;
-        let pieces = copies.iter().flat_map(|c| one.pieces.iter().map(move |p| p.map(|p| c * p))).collect();
-        let spheres = copies.iter().flat_map(|c| one.spheres.iter().map(move |(p, r)| (c * p, *r))).collect();
-        let parents = (0..copies.len() as u32).flat_map(|k| one.parents.iter().map(move |t| k * count + t)).collect();
-        let mut tree =
-            SphereTree { nodes: Vec::with_capacity(2 * copies.len() * one.pieces.len()), pieces, spheres, parents };
-        let mut order: Vec<usize> = (0..copies.len()).collect();
-        if one.root().is_some() {
-            tree.join(&mut order, &one, copies);
-        }
+        let count = mesh.triangles.len() / copies.len().max(1);
+        let Some(first) = copies.first().filter(|_| count > 0 && count * copies.len() == mesh.triangles.len()) else {
+            return Self::new(mesh, side_mm);
+        };
+        let area_mm2 = (0..mesh.triangles.len()).map(|t| mesh.triangle_area_mm2(t)).sum();
+        let corners: Vec<[Point; 3]> = (0..count).map(|t| mesh.corners(t)).collect();
+        let parents: Vec<u32> = (0..count as u32).collect();
+        let one = Self::of(&corners, &parents, finest_mm(side_mm, area_mm2));
+        let turns: Vec<Rigid> = copies.iter().map(|c| c * first.inverse()).collect();
+        let pieces = turns.iter().flat_map(|c| one.pieces.iter().map(move |p| p.map(|p| c * p))).collect();
+        let spheres = turns.iter().flat_map(|c| one.spheres.iter().map(move |(p, r)| (c * p, *r))).collect();
+        let parents = (0..turns.len()).flat_map(|k| one.parents.iter().map(move |t| (k * count) as u32 + t)).collect();
+        let nodes = Vec::with_capacity(2 * turns.len() * one.pieces.len());
+        let mut tree = SphereTree { nodes, pieces, spheres, parents };
+        tree.join(&mut (0..turns.len()).collect::<Vec<_>>(), &one, &turns);
         tree
     }
 
@@ -152,6 +155,11 @@ impl SphereTree {
         let link = self.nodes[index as usize].link;
         if link >= LEAF { Below::Leaf(link - LEAF) } else { Below::Nodes(index + 1, link) }
     }
+}
+
+/// The side to which triangles of an area in all can be cut in no more than [`MOST_PIECES`].
+fn finest_mm(side_mm: f64, area_mm2: f64) -> f64 {
+    side_mm.max((area_mm2 / MOST_PIECES as f64).sqrt())
 }
 
 /// The triangles cut until no side is longer than `side_mm`, and of which triangle each piece is;
@@ -350,7 +358,15 @@ mod tests {
             mesh.triangles.push([3 * k as u32, 3 * k as u32 + 1, 3 * k as u32 + 2]);
         }
         let copies: Vec<Rigid> = (1..8).map(|k| Rigid::rotation(Vector::x() * (0.7 * f64::from(k)))).collect();
-        let tree = SphereTree::of_copies(&mesh, &copies, 0.8);
+        let mut all = Mesh::default();
+        for moved in copies.iter().map(|c| mesh.clone().moved(c)) {
+            let first = all.points.len() as u32;
+            all.triangles.extend(moved.triangles.iter().map(|t| t.map(|p| first + p)));
+            all.points.extend(moved.points);
+        }
+        let tree = SphereTree::of_copies(&all, &copies, 0.8);
+        // Where they are no copies, it is the tree of the mesh.
+        assert_eq!(SphereTree::of_copies(&all, &copies[..3], 0.8).nodes.len(), SphereTree::new(&all, 0.8).nodes.len());
         let mut met = vec![0; tree.pieces.len()];
         // From the root: the node, and those above it.
         let mut open = vec![(0, vec![])];
@@ -379,9 +395,9 @@ mod tests {
         for triangle in [1, 39, 41, 150, 279] {
             let piece = tree.leaf_of(triangle).unwrap();
             assert_eq!(tree.triangle(piece), triangle);
-            let (turn, own) = (&copies[triangle as usize / 40], mesh.corners(triangle as usize % 40));
+            let own = all.corners(triangle as usize);
             let plane = (own[1] - own[0]).cross(&(own[2] - own[0])).normalize();
-            assert!(tree.corners(piece).iter().all(|c| plane.dot(&(turn.inverse() * c - own[0])).abs() < 1e-9));
+            assert!(tree.corners(piece).iter().all(|c| plane.dot(&(c - own[0])).abs() < 1e-9));
         }
     }
 }

@@ -81,8 +81,8 @@ pub fn tell(fit: &Fit) {
         fit.p95_um
     );
     sayln!(
-        "           certain within {:.3} um and {:.5} deg (standard deviation); errors as great as what is left move it \
-         by {:.2} um at most; condition {:.0}",
+        "           certain within {:.3} um and {:.5} deg (standard deviation); errors that are as far off move it by \
+         {:.2} um at most; condition {:.0}",
         fit.uncertainty_um,
         fit.uncertainty_deg,
         fit.bound_um,

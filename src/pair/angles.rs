@@ -1,6 +1,6 @@
 //! Sets of angles on a circle.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Angles from 0 to a whole turn: closed arcs `[from, to]`, rad, rising, apart from each other,
 /// none across 0; what goes over 0 is two arcs.
@@ -122,8 +122,8 @@ impl FreeAngles {
         }
     }
 
-    /// The ends of the arc that has an angle, rad, on the turn of that angle; the angle itself
-    /// where none has it, or where all are free.
+    /// The ends of the arc that has an angle, rad, on the turn of that angle; half a turn to either
+    /// side where all are free, the angle itself where none has it.
     pub fn around(&self, angle_rad: f64) -> [f64; 2] {
         let at = angle_rad.rem_euclid(TAU);
         let Some([from, to]) = self.0.iter().find(|arc| arc[0] <= at && at <= arc[1]).copied() else {
@@ -132,7 +132,7 @@ impl FreeAngles {
         let (mut below, mut above) = (at - from, to - at);
         if self.is_over_0() {
             if self.0.len() == 1 {
-                return [angle_rad; 2];
+                return [angle_rad - PI, angle_rad + PI];
             }
             if from == 0.0 {
                 below += self.0.last().map_or(0.0, |last| TAU - last[0]);
@@ -217,6 +217,8 @@ mod tests {
         assert!((from + 0.5).abs() < 1e-12 && (to - 0.7).abs() < 1e-12);
         assert_eq!(FreeAngles::of([[0.0, 7.0]]), FreeAngles::all());
         assert_eq!(FreeAngles::all().margin(3.0), f64::INFINITY);
+        assert_eq!(FreeAngles::all().around(7.0), [7.0 - PI, 7.0 + PI]);
+        assert_eq!(FreeAngles::of([[0.0, 1.0]]).around(3.0), [3.0; 2]);
         assert_eq!(FreeAngles::default().margin(3.0), f64::NEG_INFINITY);
         assert!(FreeAngles::of([[f64::NAN, 1.0], [2.0, 1.0]]).is_empty());
     }

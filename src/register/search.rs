@@ -123,6 +123,7 @@ impl Search<'_> {
         let (mesh, mm) = (Triangles::new(self.part), grid.step_mm);
         let fewest = self.places.sampled(30);
         let first = Sieve::new(grid, &few, 0.5 * mm, 2.0 * mm);
+        // Most guesses lead nowhere, and few steps at few places tell.
         let first = Sieve { rough_steps: 4, steps: 4, keep: 160, same_mm: 0.4 * mm, ..first };
         let all = Sieve { places: &fewest, rough_steps: 4, steps: 0, keep: 2500, same_mm: 0.0, ..first };
         let on_grid = Sieve { keep: 32, same_mm: 0.2 * mm, ..Sieve::new(grid, &some, 0.15 * mm, mm) };

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::{Loaded, look};
-use crate::artifact::paired::{PairPlace, PinchMotion, StretchMotion};
+use crate::artifact::paired::{PairPlace, PinchMotion};
 use crate::artifact::region::Area;
 use crate::artifact::report::Check;
 use crate::artifact::{PairedRows, Stand};
@@ -321,12 +321,7 @@ fn keys(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>, most: usize)
         let begin_s = t_s;
         for (i, k) in held.places.clone().enumerate().filter(|(i, k)| i % every == 0 || *k == last) {
             // By the machine's motion, else by the feed along the first tool's row.
-            // The last place ends the motion, which has a row more where there are two places.
-            let time = |m: &StretchMotion| match k == last {
-                true => m.motion.t_s.last().copied(),
-                false => m.motion.t_s.get(i).copied(),
-            };
-            t_s = match own.and_then(|m| Some(time(m)? - m.motion.t_s.first()?)) {
+            t_s = match own.and_then(|m| Some(m.motion.t_s.get(m.row_at(i))? - m.motion.t_s.first()?)) {
                 Some(s) => begin_s + s,
                 None => begin_s + way_mm(&pinch.rows.places[held.places.start..=k]) * 60.0 / setup.job.feed.feed_mm_min,
             };

@@ -23,13 +23,21 @@ export async function everyReport(one) {
   }
 }
 
-/** How many colours the canvas shows, and a hash of its pixels. */
-export const look = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
-  const c = document.getElementById('scene');
+/** How many colours a canvas shows, and a hash of its pixels, with the next picture that is drawn. */
+export const look = (page, id = 'scene') => page.evaluate(id => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
+  const c = document.getElementById(id);
   const gl = c.getContext('webgl2');
-  const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
-  const p = new Uint8Array(4 * w * h);
-  gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
+  let p;
+  if (gl) {
+    const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+    p = new Uint8Array(4 * w * h);
+    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
+  } else {
+    // Read from a copy: the browser complains of a canvas that is drawn on and read in turn.
+    const copy = Object.assign(document.createElement('canvas'), { width: c.width, height: c.height }).getContext('2d', { willReadFrequently: true });
+    copy.drawImage(c, 0, 0);
+    p = copy.getImageData(0, 0, c.width, c.height).data;
+  }
   const colours = new Set();
   let hash = 0;
   for (let i = 0; i < p.length; i += 4) {
@@ -38,7 +46,7 @@ export const look = page => page.evaluate(() => new Promise(done => requestAnima
     hash = (Math.imul(hash, 31) + v) | 0;
   }
   done({ colours: colours.size, hash });
-}))));
+}))), id);
 
 /** Starts and stops the motion, which moves the place and says so. */
 export async function plays(page, toggle) {

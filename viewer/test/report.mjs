@@ -182,7 +182,7 @@ async function desktop(browser, folder, url) {
     const shown = +(await page.textContent('#chart-map .readout')).match(/µm at height (\S+) mm$/)[1].replace('−', '-');
     assert.ok(Math.abs(shown - dot.height) < 1e-4 * Math.abs(dot.height) + 0.3, `the dot at height ${dot.height} answers as ${shown}`);
   }
-  await wheel(page, folder, set);
+  await wheel(page, folder);
   // Every control is reached by the Tab key.
   const wanted = await page.$$eval('main a[href], main button, main select, main input, main summary, main [tabindex="0"]', all => all.filter(e => !e.disabled && e.checkVisibility({ contentVisibilityAuto: true }) && !e.closest("details:not([open]) pre")).length);
   await page.focus('#theme');

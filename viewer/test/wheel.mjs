@@ -3,26 +3,12 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { look, set } from './page.mjs';
 
-/** Colours of the map, and a hash of its pixels, with the next picture that is drawn. */
-const map = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
-  const c = document.getElementById('free-map');
-  // Read from a copy: the browser complains of a canvas that is drawn on and read in turn.
-  const copy = Object.assign(document.createElement('canvas'), { width: c.width, height: c.height }).getContext('2d', { willReadFrequently: true });
-  copy.drawImage(c, 0, 0);
-  const { data } = copy.getImageData(0, 0, c.width, c.height);
-  const colours = new Set();
-  let hash = 0;
-  for (let i = 0; i < data.length; i += 4) {
-    const v = (data[i] << 16) | (data[i + 1] << 8) | data[i + 2];
-    colours.add(v);
-    hash = (Math.imul(hash, 31) + v) | 0;
-  }
-  done({ colours: colours.size, hash });
-}))));
+const map = page => look(page, 'free-map');
 
 /** Tries the panel of the free tool axes. */
-async function freeAxes(page, set) {
+async function freeAxes(page) {
   const words = id => page.textContent(`#free-${id}`);
   await page.locator('#free-map').scrollIntoViewIfNeeded();
   // A map that is not seen is drawn when it is.
@@ -60,13 +46,13 @@ async function freeAxes(page, set) {
 }
 
 /** Tries all of it, as far as the run has it. */
-export async function wheel(page, folder, set) {
+export async function wheel(page, folder) {
   const job = readFileSync(join(folder, 'job.resolved.toml'), 'utf8');
   const [isOne, isFive] = [/^\[wheel\]/m.test(job), /^kind = "five-axis"/m.test(job)];
   assert.equal(await page.locator('#layer-neighbours').count(), Number(isOne), 'the other blades are a layer of their own');
   assert.equal(await page.locator('#free-axes').count(), Number(isFive), 'five axes have maps of the free tool axes');
   if (!isFive) return;
-  await freeAxes(page, set);
+  await freeAxes(page);
   const names = await page.$$eval('#axis option', all => all.map(o => o.textContent));
   const chosen = await page.$eval('#axis', e => e.selectedOptions[0].textContent);
   const rotary = chosen.split(' and ');

@@ -93,14 +93,9 @@ impl Pinch {
     }
 
     /// What is free for tool 1, for tool 2 and for both about the angle of a stretch, at each of
-    /// its places: `[from, to]` on the turn of that angle, rad; half a turn to either side where
-    /// all angles are free.
+    /// its places: `[from, to]` on the turn of that angle, rad.
     pub fn free_about(&self, held: &Held) -> [Vec<[f64; 2]>; 3] {
-        let theta = held.theta_rad;
-        let around = |free: &FreeAngles| match free.margin(theta) == f64::INFINITY {
-            true => [theta - PI, theta + PI],
-            false => free.around(theta),
-        };
+        let around = |free: &FreeAngles| free.around(held.theta_rad);
         [&self.own[0], &self.own[1], &self.common].map(|of| of[held.places.clone()].iter().map(around).collect())
     }
 
