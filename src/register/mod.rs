@@ -14,8 +14,8 @@
 //! **Method**: some ten thousand first guesses (the places' middle on middles of the part's slabs,
 //! in turns spread over all of them and along principal axes), each brought down by Levenberg and
 //! Marquardt's method on a grid of distances, a few steps at few places first; the best of those
-//! that differ go on to the mesh, the best of these to the exact faces. A solution in which the shaft
-//! passes through the part gives way to one that fits alike and in which it does not.
+//! that differ go on to the mesh, the best of these to the exact faces. A solution in which the
+//! shaft passes through the part gives way to one that fits alike and in which it does not.
 //!
 //! **Guarantees**: a frame is given only where 95 % of the feed places between the first and the
 //! last contact touch within 20 µm, followed with the frame that was found; where the normal
