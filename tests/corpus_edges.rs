@@ -13,11 +13,15 @@ use bladewright::section::{self, SectionOptions};
 /// Blades none of whose sections closes: there is nothing to name.
 const OPEN: [&str; 1] = ["kaplan_blade_DERIVED_from_brep.step"];
 
+/// Blades with a long round root, which are planned where their axis is given: z of the model.
+const ROUND_ROOT: [&str; 2] = ["iea15mw/IEA-15-240-RWT_blade.stl", "iea15mw/IEA_15MW_CFD.stp"];
+
 /// Heights at which a blade is cut; chords turn by few degrees from one to the next.
 const HEIGHTS: u32 = 120;
 
 fn load(file: &Path, unit: Option<Unit>) -> Blade {
-    model::load(file, &ModelOptions { unit, ..ModelOptions::default() }, &Silent).expect("a blade")
+    let axis = ROUND_ROOT.iter().any(|name| file.ends_with(name)).then_some([0.0, 0.0, 1.0]);
+    model::load(file, &ModelOptions { unit, axis, ..ModelOptions::default() }, &Silent).expect("a blade")
 }
 
 fn sections(blade: &Blade, options: SectionOptions) -> Vec<Section> {
@@ -78,7 +82,7 @@ fn the_mirror_image_has_its_sides_mirrored() {
 fn corpus_edges_keep_their_names() {
     let folder = std::env::var_os("BLADEWRIGHT_BLADES").map(PathBuf::from);
     let folder = folder.expect("BLADEWRIGHT_BLADES names the folder of real blades");
-    let (as_is, metres) = (None, Some(Unit::M));
+    let (as_is, metres, millimetres) = (None, Some(Unit::M), Some(Unit::Mm));
     let blades = [
         ("turbine_blade_firtree.igs", as_is),
         ("tblade3_case7288/case7288_rotor_hubwedge.step", as_is),
@@ -101,6 +105,9 @@ fn corpus_edges_keep_their_names() {
         ("pyturbo_blade.stl", metres),
         ("vki_blade_metres_open_shell.step", metres),
         ("airfoil_22dx_single_surface.igs", as_is),
+        ("openfoam_propeller.obj", metres),
+        (ROUND_ROOT[0], millimetres),
+        (ROUND_ROOT[1], millimetres),
     ];
     let mut wrong = Vec::new();
     for (file, unit) in blades {

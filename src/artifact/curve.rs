@@ -1,6 +1,7 @@
 //! The programmed curve: where ball centre and tool axis go between cutter locations, smooth to the
 //! fourth derivative.
 
+use crate::error::WhyLeft;
 use crate::geometry::{Point, Vector};
 use crate::numerics::quintic::{self, Breaks, DEGREE, ORDER};
 
@@ -21,41 +22,6 @@ pub struct LeftAsIs {
     pub s_mm: [f64; 2],
     /// Why.
     pub why: WhyLeft,
-}
-
-/// Why the path stays as it is.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum WhyLeft {
-    /// The surface normal turns from one location to the next, rad: the ball rolls over a crease or
-    /// into a corner.
-    Crease {
-        /// By so much.
-        turn_rad: f64,
-    },
-    /// No curve of this many pieces stays where the part wants it.
-    NoRoom,
-    /// Too few locations.
-    Short,
-    /// With the curve θ would leave the channel, or the tool would come too near to something.
-    NotClear,
-}
-
-impl std::fmt::Display for WhyLeft {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            WhyLeft::Crease { turn_rad } => write!(
-                f,
-                "the surface normal turns by {:.1} degrees from one location to the next, a crease",
-                turn_rad.to_degrees()
-            ),
-            WhyLeft::NoRoom => f.write_str("no curve of enough pieces stays as near to the part as it has to"),
-            WhyLeft::Short => f.write_str("too few locations between places without a curve"),
-            WhyLeft::NotClear => {
-                f.write_str("on the curve θ would leave the channel, or the tool would come too near to something")
-            }
-        }
-    }
 }
 
 /// A curve over an interval of the path. Its parameter is the arc length of the path that it

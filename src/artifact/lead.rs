@@ -1,6 +1,7 @@
 //! How the tool comes onto the path and leaves it.
 
 use super::AxisMotion;
+use crate::error::LeadReason;
 use crate::geometry::Point;
 
 /// The way of the tool before the first location, or after the last: an arc in air, tangential to
@@ -12,8 +13,8 @@ pub struct Lead {
     pub radius_mm: f64,
     /// Angle of the arc, rad; 0 where there is none.
     pub angle_rad: f64,
-    /// Why there is no arc, or not the one asked for; empty where there is nothing to say.
-    pub reason: String,
+    /// Why there is no arc, or not the one asked for.
+    pub reason: Option<LeadReason>,
     /// Ball centres, blade frame, mm.
     pub centres: Vec<Point>,
     /// Angle of the tool axis about the blade axis, rad, unwrapped with the schedule.
@@ -24,8 +25,8 @@ pub struct Lead {
 
 impl Lead {
     /// Straight along the tool axis, and why.
-    pub fn straight(reason: impl Into<String>) -> Self {
-        Lead { reason: reason.into(), ..Lead::default() }
+    pub fn straight(reason: LeadReason) -> Self {
+        Lead { reason: Some(reason), ..Lead::default() }
     }
 
     /// There is an arc.

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use super::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
+use super::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
 use super::{Axes, AxisMotion, Cones};
+use crate::error::EndReason;
 use crate::geometry::{Point, Vector};
 
 /// Where a tool's ball touches the part.

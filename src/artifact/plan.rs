@@ -1,5 +1,6 @@
 //! Everything that a program is made from, bundled for the checks.
 use super::{AxisMotion, Channel, Cone, Lead, ProgrammedCurve, Schedule, Stand, Toolpath};
+use crate::error::LeadReason;
 use crate::geometry::{Point, Rigid};
 
 /// A complete plan, one row of each part per cutter location.
@@ -144,7 +145,7 @@ impl Plan {
         let row = self.toolpath.turns.get(turn)?.first;
         let mut left = self.clone();
         if turn > 0 {
-            left.leads[0] = Lead::straight("the program goes on within the path");
+            left.leads[0] = Lead::straight(LeadReason::WithinPath);
         }
         left.toolpath.cones = self.toolpath.cones.part(row, self.toolpath.locations.len());
         left.toolpath.turns.drain(..turn);

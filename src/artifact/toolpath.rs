@@ -1,6 +1,6 @@
 //! Cutter locations of one continuous helix.
 use super::{Cone, Cones};
-use crate::error::Along;
+use crate::error::{Along, EndReason};
 use crate::geometry::{Point, Vector};
 
 /// Greatest scallop between turns where nobody asks for another, mm.
@@ -218,26 +218,5 @@ impl Toolpath {
     #[must_use]
     pub fn with_cones(self, cones: Cones) -> Self {
         Toolpath { cones, ..self }
-    }
-}
-
-/// Why a path ends where it ends.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum EndReason {
-    /// It goes as far as was asked.
-    Region,
-    /// The wall leans over by more than `path.max_lean_deg` allows; with the place, in words.
-    Lean(String),
-    /// Ball or tool find no way farther down; what stops them and where, in words.
-    Blocked(String),
-}
-
-impl std::fmt::Display for EndReason {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            EndReason::Region => f.write_str("the end of the region"),
-            EndReason::Lean(why) | EndReason::Blocked(why) => f.write_str(why),
-        }
     }
 }

@@ -6,8 +6,8 @@
 //! turns back gains 2π a turn, so two walls cross within about a turn, if at all; each stretch is a
 //! turn and a quarter of the next.
 
-use crate::artifact::toolpath::EndReason;
 use crate::artifact::{Cone, Cones, Toolpath};
+use crate::error::EndReason;
 
 use super::samples::Sample;
 

@@ -60,7 +60,7 @@ pub struct Missed {
 }
 
 /// What ends the turns of a path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stopped {
     /// The wall leans too far.
@@ -82,7 +82,14 @@ pub enum Stopped {
     /// A corner with a wall that leans too far.
     Corner,
     /// A cutter with a corner would cut the part beside its contact.
-    CutsBeside,
+    CutsBeside {
+        /// Inclined by at most so much, degrees.
+        contact_deg: f64,
+        /// With so much room for θ, degrees.
+        room_deg: f64,
+    },
+    /// Turns that are laid up from farther down would lose the surface.
+    TurnsLoseSurface,
     /// Turns come no nearer to the end of the region.
     NoNearer,
     /// The region ends.

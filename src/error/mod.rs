@@ -2,8 +2,10 @@
 //! that follows.
 
 mod infeasible;
+mod reason;
 
 pub use infeasible::{Along, At, Bound, DesignFault, Frame, Infeasible, Missed, SectionFault, Spot, Stopped};
+pub use reason::{EndReason, InTheWay, LeadReason, SurfaceEnd, WhyLeft, WhyNone};
 
 use std::fmt;
 

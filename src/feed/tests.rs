@@ -5,8 +5,8 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::artifact::Cones;
-use crate::artifact::toolpath::{CutterLocation, EndReason};
-use crate::error::ErrorKind;
+use crate::artifact::toolpath::CutterLocation;
+use crate::error::{EndReason, ErrorKind};
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::Remark;
-use crate::error::{Infeasible, turn_number};
+use crate::error::{EndReason, LeadReason, WhyLeft, WhyNone, turn_number};
 
 /// Surface that a ball does not go to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -149,17 +149,14 @@ pub enum Doubt {
         /// Where it is to end, mm.
         asked_mm: f64,
         /// Why.
-        reason: String,
+        reason: EndReason,
     },
     /// The helix ends above the place where the channel closes.
     HelixEndsAbove {
         /// Where it ends, mm.
         height_mm: f64,
         /// Why there is no channel farther down.
-        reason: String,
-        /// The same as data.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        cause: Option<Box<Infeasible>>,
+        reason: EndReason,
         /// What to do to go on.
         advice: String,
     },
@@ -243,7 +240,7 @@ pub enum Doubt {
         /// `lead-in` or `lead-out`.
         lead: String,
         /// Why.
-        reason: String,
+        reason: LeadReason,
     },
     /// Some of the path has no smooth curve.
     NotSmoothed {
@@ -256,12 +253,12 @@ pub enum Doubt {
         /// Where the longest of them begins: arc length from the start of the path, mm.
         longest_at_mm: f64,
         /// Why it was left.
-        reason: String,
+        why: WhyLeft,
     },
     /// The whole path stays as it is.
     NothingSmoothed {
         /// Why.
-        reason: String,
+        reason: WhyNone,
     },
     /// The motion's time is not proved closely.
     RoughBound {
@@ -398,7 +395,7 @@ impl fmt::Display for Doubt {
                 f,
                 "the helix ends at height {height_mm:.3} mm instead of region.end_mm = {asked_mm} mm: {reason}"
             ),
-            Doubt::HelixEndsAbove { height_mm, reason, advice, .. } => {
+            Doubt::HelixEndsAbove { height_mm, reason, advice } => {
                 write!(f, "the helix ends at height {height_mm:.3} mm, since farther down {reason}; to go on: {advice}")
             }
             Doubt::ChannelByExactFaces { proven } => write!(
@@ -453,10 +450,10 @@ impl fmt::Display for Doubt {
                 turn_number(*first_turn)
             ),
             Doubt::StraightLead { lead, reason } => write!(f, "the {lead} is straight along the tool axis: {reason}"),
-            Doubt::NotSmoothed { length_mm, of_mm, places, longest_at_mm, reason } => write!(
+            Doubt::NotSmoothed { length_mm, of_mm, places, longest_at_mm, why } => write!(
                 f,
                 "{length_mm:.1} of {of_mm:.1} mm of the path ({:.2} %) stay as they are, without a smooth curve, in \
-                 {places} places; the longest begins {longest_at_mm:.1} mm from the start of the path: {reason}",
+                 {places} places; the longest begins {longest_at_mm:.1} mm from the start of the path: {why}",
                 100.0 * length_mm / of_mm
             ),
             Doubt::NothingSmoothed { reason } => {

@@ -45,10 +45,9 @@ use super::front::{Across, Fineness, Front, Laid, Node, PATIENCE, Rest};
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{Ring, Tracing};
-use super::{chords, heights_mm, helix, place, rings, spot};
-use crate::artifact::toolpath::EndReason;
+use super::{chords, heights_mm, helix, place, rings, spot, surface_end};
 use crate::artifact::{Blade, Toolpath};
-use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, Stopped};
+use crate::error::{EndReason, Error, ErrorKind, Infeasible, Result, Stage, Stopped};
 use crate::geometry::Point;
 use crate::observe::{Doubt, Observer, Warning};
 use crate::parallel;
@@ -87,12 +86,11 @@ pub(super) fn plan(
 ) -> Result<Toolpath> {
     let lay = |evens_ways| Laying::new(blade, level, options, start_x, evens_ways, observer)?.lay();
     let helix = better_of(lay, level, options)?;
-    if helix.ended_by == Stopped::CutsBeside {
+    if matches!(helix.ended_by, Stopped::CutsBeside { .. }) {
         let [a, b] = helix.path.region_x_mm;
         let doubt = Doubt::HelixEndsAbove {
             height_mm: a.min(b),
-            reason: helix.path.end_reason.to_string(),
-            cause: None,
+            reason: helix.path.end_reason.clone(),
             advice: "let it lean more with channel.contact_angle_max_deg, or take a narrower cutter or a larger corner"
                 .into(),
         };
@@ -196,7 +194,7 @@ impl<'a> Laying<'a> {
                 Up::Lost(at) => lost_on_the_way_up = at.or(lost_on_the_way_up),
             }
         }
-        let ended_by = stopped(&down).0;
+        let ended_by = stopped(&down, self.options).0;
         Ok(Helix { path: self.laid_down(down, lost_on_the_way_up)?, is_from_end: false, ended_by })
     }
 
@@ -237,7 +235,7 @@ impl<'a> Laying<'a> {
 
     /// The helix of turns laid up from the end that was found.
     fn laid_up(&self, search: &Front, down: &Laid, is_finest: bool) -> Result<Up> {
-        let (mut ended_by, at) = stopped(down);
+        let (mut ended_by, at) = stopped(down, self.options);
         let mut reason = end_reason(self.blade, (ended_by, at), self.options);
         let mean_mm = |end: &[Touch]| end.iter().map(|t| self.height_mm(&t.centre)).sum::<f64>() / end.len() as f64;
         let depth_mm = |end: &[Touch]| self.start_x - mean_mm(end);
@@ -259,9 +257,8 @@ impl<'a> Laying<'a> {
             if let Some(at) = laid.lost {
                 lost = Some(at);
                 if *left_out == 0 {
-                    let at = place(self.blade, &at);
-                    ended_by = Stopped::BallTooLarge;
-                    reason = EndReason::Blocked(format!("turns from farther down would lose the surface at {at}"));
+                    ended_by = Stopped::TurnsLoseSurface;
+                    reason = end_reason(self.blade, (ended_by, Some(at)), self.options);
                 }
                 continue;
             }
@@ -322,9 +319,9 @@ impl<'a> Laying<'a> {
     /// The helix of the turns that were laid down from the start.
     fn laid_down(&self, down: Laid, lost_on_the_way_up: Option<Point>) -> Result<Toolpath> {
         let (blade, options) = (self.blade, self.options);
-        let reason = end_reason(blade, stopped(&down), options);
+        let reason = end_reason(blade, stopped(&down, options), options);
         if down.turns.len() < 2 {
-            let (by, at) = stopped(&down);
+            let (by, at) = stopped(&down, options);
             let since = rings::not_one_turn(options, by, at.map(|p| spot(blade, &p)));
             return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {reason}"), since)
                 .advise(rings::no_turn_advice(down.lost.is_some())));
@@ -342,7 +339,7 @@ impl<'a> Laying<'a> {
 }
 
 /// What ends the helix, and where.
-fn stopped(laid: &Laid) -> (Stopped, Option<Point>) {
+fn stopped(laid: &Laid, options: &PathOptions) -> (Stopped, Option<Point>) {
     if laid.lost.is_some() {
         return (Stopped::BallTooLarge, laid.lost);
     }
@@ -352,7 +349,10 @@ fn stopped(laid: &Laid) -> (Stopped, Option<Point>) {
         Some(Stop::Face(p, face)) => (Stopped::Face(face), Some(p)),
         Some(Stop::Rim(p)) => (Stopped::Rim, Some(p)),
         Some(Stop::Corner(p)) => (Stopped::Corner, Some(p)),
-        Some(Stop::Disc(p)) => (Stopped::CutsBeside, Some(p)),
+        Some(Stop::Disc(p)) => {
+            let contact_deg = options.inclined.map_or(0.0, |i| i.contact_rad[1].to_degrees());
+            (Stopped::CutsBeside { contact_deg, room_deg: SPAN_RAD.to_degrees() }, Some(p))
+        }
         // Places that wait at the height, and others that never come to it.
         Some(Stop::Height) | None => match laid.last().iter().find(|n| n.stop.is_none()) {
             Some(free) if !laid.is_at_the_end() => (Stopped::NoNearer, Some(free.touch.centre)),
@@ -361,30 +361,12 @@ fn stopped(laid: &Laid) -> (Stopped, Option<Point>) {
     }
 }
 
-/// Why the helix ends, in words.
+/// Why the helix ends.
 fn end_reason(blade: &Blade, stop: (Stopped, Option<Point>), options: &PathOptions) -> EndReason {
-    let most_deg = options.settings.max_lean_deg;
-    let (by, Some(p)) = stop else { return EndReason::Region };
-    let at = |why: String| format!("{why} at {}", place(blade, &p));
-    EndReason::Blocked(match by {
-        Stopped::WallLeans => {
-            return EndReason::Lean(at(format!("the wall leans over more than {most_deg:.0}° from the blade axis")));
-        }
-        Stopped::Rim => rings::ends_without_platform(blade, &p),
-        Stopped::Edge => at("the ball comes to an edge of the part".into()),
-        Stopped::Face(face) => at(format!("the ball comes to face {}, which ends the region,", face + 1)),
-        Stopped::Corner => at(format!("in the corner the ball meets a wall that leans over more than {most_deg:.0}°")),
-        Stopped::CutsBeside => {
-            let most_deg = options.inclined.map_or(0.0, |i| i.contact_rad[1].to_degrees());
-            let room_deg = SPAN_RAD.to_degrees();
-            at(format!(
-                "inclined by at most {most_deg:.0}°, with {room_deg:.1}° of room for θ, the cutter cuts the part beside \
-                 its contact, first"
-            ))
-        }
-        Stopped::NoNearer => at("turns come no nearer to the end of the region".into()),
-        _ => at(format!("a ball of radius {} mm cannot follow the surface", options.radius_mm)),
-    })
+    match stop {
+        (by, Some(p)) => EndReason::Surface(surface_end(blade, by, &p, options)),
+        (_, None) => EndReason::Region,
+    }
 }
 
 /// Whether a turn comes back to where it began.

@@ -76,7 +76,7 @@ use crate::artifact::along::Along;
 use crate::artifact::region::{Boundary, Region};
 use crate::artifact::toolpath::{CutterLocation, Direction, PathKind};
 use crate::artifact::{Blade, Toolpath};
-use crate::error::{Error, Frame, Infeasible, Result, Spot, Stage};
+use crate::error::{Error, Frame, Infeasible, Result, Spot, Stage, Stopped, SurfaceEnd};
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
@@ -303,6 +303,17 @@ fn place(blade: &Blade, p: &Point) -> String {
 fn spot(blade: &Blade, p: &Point) -> Spot {
     let turned = if blade.diagnosis.mirrored { Point::new(p.x, p.y, -p.z) } else { *p };
     Spot { frame: Frame::Model, point_mm: (blade.model_from_blade * turned).into() }
+}
+
+/// What ends turns at a ball centre, blade frame.
+fn surface_end(blade: &Blade, by: Stopped, p: &Point, options: &PathOptions) -> SurfaceEnd {
+    SurfaceEnd {
+        by,
+        height_mm: p.x,
+        at: spot(blade, p),
+        radius_mm: options.radius_mm,
+        max_lean_deg: options.settings.max_lean_deg,
+    }
 }
 
 /// A ball that loses the surface near some of its centres, blade frame, as data.

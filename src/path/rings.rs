@@ -6,10 +6,9 @@ use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{self, Broken, Ring, Tracing};
 use super::stepover::{Pass, decisive_mm, ridge_height};
-use super::{heights_mm, place, region, seed, spot};
+use super::{heights_mm, place, region, seed, spot, surface_end};
 use crate::artifact::Blade;
-use crate::artifact::toolpath::EndReason;
-use crate::error::{Error, Infeasible, Result, Spot, Stage, Stopped};
+use crate::error::{EndReason, Error, Infeasible, Result, Spot, Stage, Stopped, SurfaceEnd};
 use crate::geometry::Point;
 use crate::observe::Observer;
 use crate::parallel;
@@ -118,16 +117,14 @@ pub fn tracing_along(options: &PathOptions, flat_mm: f64) -> Tracing {
 /// Says why the stack ended and refuses one that is too short.
 fn finish(blade: &Blade, options: &PathOptions, rings: Vec<Ring>, end: Option<Broken>) -> Result<Stack> {
     let Some(broken) = end else { return Ok(Stack { rings, end_reason: EndReason::Region }) };
-    let why = describe(blade, &broken, options);
+    let end = stopped(blade, &broken, options);
     if rings.len() < 2 {
         let lost = matches!(broken, Broken::Lost(_));
-        let (by, at) = stopped(&broken);
-        let since = not_one_turn(options, by, Some(spot(blade, at)));
-        return Err(Error::infeasible(Stage::Path, format!("not one whole turn fits: {why}"), since)
-            .advise(no_turn_advice(lost)));
+        let message = format!("not one whole turn fits: {end}");
+        let since = not_one_turn(options, end.by, Some(end.at));
+        return Err(Error::infeasible(Stage::Path, message, since).advise(no_turn_advice(lost)));
     }
-    let leans = matches!(broken, Broken::Leans(_));
-    Ok(Stack { rings, end_reason: if leans { EndReason::Lean(why) } else { EndReason::Blocked(why) } })
+    Ok(Stack { rings, end_reason: EndReason::Surface(end) })
 }
 
 /// What to do where no turn fits: a smaller ball helps where the ball lost the surface, not where
@@ -142,33 +139,14 @@ pub(super) fn not_one_turn(options: &PathOptions, by: Stopped, at: Option<Spot>)
     Infeasible::NotOneTurn { radius_mm, max_lean_deg, by, at }
 }
 
-fn stopped(broken: &Broken) -> (Stopped, &Point) {
-    match broken {
+fn stopped(blade: &Blade, broken: &Broken, options: &PathOptions) -> SurfaceEnd {
+    let (by, p) = match broken {
         Broken::Leans(p) => (Stopped::WallLeans, p),
         Broken::Rim(p) => (Stopped::Rim, p),
         Broken::Lost(p) => (Stopped::BallTooLarge, p),
         Broken::Open(p) => (Stopped::WayOpen, p),
-    }
-}
-
-fn describe(blade: &Blade, broken: &Broken, options: &PathOptions) -> String {
-    match broken {
-        Broken::Leans(p) => format!(
-            "the wall leans over more than {:.0}° from the blade axis at {}",
-            options.settings.max_lean_deg,
-            place(blade, p)
-        ),
-        Broken::Rim(p) => ends_without_platform(blade, p),
-        Broken::Lost(p) => {
-            format!("a ball of radius {} mm cannot follow the airfoil at {}", options.radius_mm, place(blade, p))
-        }
-        Broken::Open(p) => format!("the path round the airfoil does not close at {}", place(blade, p)),
-    }
-}
-
-/// Why turns end at the rim of an airfoil.
-pub(super) fn ends_without_platform(blade: &Blade, at: &Point) -> String {
-    format!("the airfoil ends there, without a platform, at {}", place(blade, at))
+    };
+    surface_end(blade, by, p, options)
 }
 
 /// The ring at the start height, beginning at its base point.
@@ -192,15 +170,18 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
     let touch = seed::first_touch(level, &airfoil, x_mm).ok_or_else(|| {
         too_tight("other parts of the blade are in the way all round".into(), none(Stopped::OtherParts, None))
     })?;
-    let ring = ring::trace(level, touch, how).map_err(|b| match &b {
-        // No ball stands up a wall that leans.
-        Broken::Leans(_) | Broken::Rim(_) => Error::infeasible(
-            Stage::Path,
-            format!("no turn goes round the airfoil at height {x_mm:.3} mm: {}", describe(blade, &b, options)),
-            none(stopped(&b).0, Some(stopped(&b).1)),
-        )
-        .advise("look with `inspect` whether this is the airfoil and its axis (--axis), or begin elsewhere with region.start_mm"),
-        Broken::Lost(p) | Broken::Open(p) => too_tight(format!("its path is blocked at {}", place(blade, p)), none(stopped(&b).0, Some(p))),
+    let ring = ring::trace(level, touch, how).map_err(|b| {
+        let by = stopped(blade, &b, options).by;
+        match &b {
+            // No ball stands up a wall that leans.
+            Broken::Leans(p) | Broken::Rim(p) => Error::infeasible(
+                Stage::Path,
+                format!("no turn goes round the airfoil at height {x_mm:.3} mm: {}", stopped(blade, &b, options)),
+                none(by, Some(p)),
+            )
+            .advise("look with `inspect` whether this is the airfoil and its axis (--axis), or begin elsewhere with region.start_mm"),
+            Broken::Lost(p) | Broken::Open(p) => too_tight(format!("its path is blocked at {}", place(blade, p)), none(by, Some(p))),
+        }
     })?;
     if let Some(p) = seed::touches_another_body(&ring, &airfoil, &others) {
         return Err(too_tight(

@@ -3,7 +3,7 @@
 
 use super::{Setup, discs};
 use crate::artifact::{AxisMotion, Lead, Plan, ProgrammedCurve, Schedule, Stand, Toolpath};
-use crate::error::{Error, Infeasible, Missed, Result, Stage};
+use crate::error::{Error, Infeasible, LeadReason, Missed, Result, Stage};
 use crate::feed::{self, FeedOptions};
 use crate::lead::{self, End, LeadOptions};
 use crate::observe::{Doubt, Observer, Silent, Warning};
@@ -29,10 +29,9 @@ pub(crate) fn choose(
     for (end, slot) in [End::In, End::Out].into_iter().zip(&mut out) {
         *slot = one(path, schedule, end, setup.job.feed.lead_radius_mm, &room);
         observer.check(Stage::Feed)?;
-        if !slot.is_arc() && setup.job.feed.lead_radius_mm > 0.0 {
+        if let Some(reason) = slot.reason.clone().filter(|_| !slot.is_arc() && setup.job.feed.lead_radius_mm > 0.0) {
             let name = if end == End::In { "lead-in" } else { "lead-out" };
-            let doubt = Doubt::StraightLead { lead: name.into(), reason: slot.reason.clone() };
-            observer.warn(Warning { stage: Stage::Feed, doubt });
+            observer.warn(Warning { stage: Stage::Feed, doubt: Doubt::StraightLead { lead: name.into(), reason } });
         }
     }
     Ok(out)
@@ -66,7 +65,7 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
     let room = room(setup, &left.toolpath, &verify);
     let arc = one(&left.toolpath, &left.schedule, End::In, setup.job.feed.lead_radius_mm, &room);
     let mut missed: Vec<Missed> = Vec::new();
-    let straight = Lead::straight(left.leads[0].reason.clone());
+    let straight = Lead { reason: left.leads[0].reason.clone(), ..Lead::default() };
     for lead in [arc.is_arc().then_some(arc), Some(straight)].into_iter().flatten() {
         let mut left = left.clone();
         let leads = [lead, left.leads[1].clone()];
@@ -92,28 +91,25 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
 
 fn one(path: &Toolpath, schedule: &Schedule, end: End, radius_mm: f64, room: &Room) -> Lead {
     if radius_mm == 0.0 {
-        return Lead::straight("asked for by feed.lead_radius_mm = 0");
+        return Lead::straight(LeadReason::Asked);
     }
     let options = &LeadOptions { radius_mm };
     let row = if end == End::In { path.locations.first() } else { path.locations.last() };
     let theta = if end == End::In { schedule.theta.first() } else { schedule.theta.last() };
-    let Some((at, theta)) = row.zip(theta) else { return Lead::straight("the path has no locations") };
+    let Some((at, theta)) = row.zip(theta) else { return Lead::straight(LeadReason::NoPath) };
     let cone = path.cone(if end == End::In { 0 } else { path.locations.len() - 1 });
     let foot = Stand { centre: at.centre, cone, theta: *theta };
     let mut first = None;
     for mut arc in lead::candidates(path, schedule, end, options) {
         match obstructed(&arc, foot, end == End::In, room) {
             None => {
-                arc.reason = first.map(|why| format!("with the one tried first {why}")).unwrap_or_default();
+                arc.reason = first.map(|first| LeadReason::Another { first });
                 return arc;
             }
             Some(why) => first = first.or(Some(why)),
         }
     }
-    Lead::straight(first.map_or_else(
-        || "the path has no direction at its end".to_owned(),
-        |why| format!("there is no room for an arc, with that asked for {why}"),
-    ))
+    Lead::straight(first.map_or(LeadReason::NoDirection, |first| LeadReason::NoRoom { first }))
 }
 
 /// The fastest motion over path and leads, on the programmed curve where there is one, taken apart.

@@ -4,10 +4,9 @@ use super::leads::MotionAndLeads;
 use super::{Baseline, Setup, discs, even, leads, schedules, smoothing};
 use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::EndReason;
 use crate::artifact::{AxisMotion, Channel, Cones, Lead, Plan, ProgrammedCurve, Schedule, Toolpath};
 use crate::channel;
-use crate::error::{ErrorKind, Result, Stage};
+use crate::error::{EndReason, ErrorKind, Result, Stage};
 use crate::lead;
 use crate::observe::{Doubt, Observer, Silent, Warning, timed};
 use crate::parallel;
@@ -177,7 +176,7 @@ pub(crate) fn path_as_asked(setup: &Setup, observer: &dyn Observer) -> Result<To
         && path.end_reason != EndReason::Region
     {
         let [a, b] = path.region_x_mm;
-        let reason = path.end_reason.to_string();
+        let reason = path.end_reason.clone();
         let doubt = Doubt::HelixEndsEarly { height_mm: a.min(b), asked_mm: end_mm, reason };
         observer.warn(Warning { stage: Stage::Path, doubt });
     }
@@ -233,11 +232,10 @@ pub(crate) fn channel_as_far_as_it_goes(
         shorter.extent.ends.retain(|end| !matches!(end, Boundary::Height(_)));
         shorter.extent.ends.push(Boundary::Height(end_mm));
         *toolpath = timed(observer, Stage::Path, || path::plan(blade, &shorter, observer))?;
-        toolpath.end_reason = EndReason::Blocked(blocked.message);
+        toolpath.end_reason = EndReason::Channel { words: blocked.message, cause: blocked.infeasible };
         cut = Some(Doubt::HelixEndsAbove {
             height_mm: end_mm,
-            reason: toolpath.end_reason.to_string(),
-            cause: blocked.infeasible,
+            reason: toolpath.end_reason.clone(),
             advice: blocked.advice.unwrap_or_else(|| "another tool".into()),
         });
     }

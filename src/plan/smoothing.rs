@@ -12,12 +12,12 @@
 
 use super::leads::MotionAndLeads;
 use super::{Setup, leads};
-use crate::artifact::curve::{Curve, CurveProof, CurveStretch, LeftAsIs, WhyLeft};
+use crate::artifact::curve::{Curve, CurveProof, CurveStretch, LeftAsIs};
 use crate::artifact::programmed::{BeforeCurve, CurveRow, Polynomial, Way};
 use crate::artifact::schedule::Quality;
 use crate::artifact::toolpath::{CutterLocation, Turn};
 use crate::artifact::{Channel, ProgrammedCurve, Schedule, Toolpath};
-use crate::error::{ErrorKind, Result, Stage};
+use crate::error::{ErrorKind, Result, Stage, WhyLeft, WhyNone};
 use crate::feed;
 use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
@@ -79,15 +79,15 @@ pub(crate) fn smoothed(
     motion: Option<&MotionAndLeads>,
     observer: &dyn Observer,
 ) -> Result<Option<Made>> {
-    let given_up = |reason: String| {
+    let given_up = |reason: WhyNone| {
         observer.warn(Warning { stage: Stage::Smooth, doubt: Doubt::NothingSmoothed { reason } });
         Ok(None)
     };
     if before.schedule.kind.is_wall() {
-        return given_up("the schedule runs along a wall of the channel".into());
+        return given_up(WhyNone::AlongWall);
     }
     if before.path.cones.same().is_none() {
-        return given_up("tool axes are on another cone at each location".into());
+        return given_up(WhyNone::OtherCones);
     }
     let (mut options, objective) = (setup.smooth_options(), Objective::Part);
     let Before { path: old, channel: walls, schedule } = before;
@@ -106,15 +106,15 @@ pub(crate) fn smoothed(
     let (mut nearer, mut narrower) = (0, 0);
     for _ in 0..NEARER + ROUNDS + NARROWER {
         if found.stretches.is_empty() {
-            return given_up(longest(&found.left).map_or("it is too short".into(), |l| l.why.to_string()));
+            return given_up(longest(&found.left).map_or(WhyNone::TooShort, |l| WhyNone::Left { longest: l.why }));
         }
         let laid = Laid { setup, before, found: &found, kept: &kept };
         let Some((path, schedule, curve)) = timed(observer, Stage::Smooth, || laid.out()) else {
-            return given_up("the part is nowhere near".into());
+            return given_up(WhyNone::PartNotNear);
         };
         if timed(observer, Stage::Smooth, || ridges_mm(&path)) > most_mm {
             if narrower == NARROWER {
-                return given_up("with hardly any room across the path its ridges are still too high".into());
+                return given_up(WhyNone::Ridges);
             }
             narrower += 1;
             if narrower > NARROWER - NARROWER_ALL {
@@ -127,7 +127,9 @@ pub(crate) fn smoothed(
             continue;
         }
         let channel = match channel_on(setup, before, &path, &curve, observer) {
-            Err(e) if e.kind == ErrorKind::Infeasible => return given_up(format!("on the curve {}", e.message)),
+            Err(e) if e.kind == ErrorKind::Infeasible => {
+                return given_up(WhyNone::Channel { words: e.message, cause: e.infeasible });
+            }
             channel => channel?,
         };
         let bad = timed(observer, Stage::Smooth, || not_clear(setup, &path, &schedule, &channel, &curve));
@@ -150,7 +152,7 @@ pub(crate) fn smoothed(
             kept.extend(bad);
         }
     }
-    given_up("θ leaves the channel, or the tool comes too near to something, at ever more places".into())
+    given_up(WhyNone::MoreAndMore)
 }
 
 /// Ridges beside those of the path as it is.
@@ -200,7 +202,7 @@ fn told(curve: &ProgrammedCurve, before: &Before, observer: &dyn Observer) {
         of_mm: before.path.locations.last().map_or(0.0, |l| l.s_mm),
         places: curve.left.len(),
         longest_at_mm: place.s_mm[0],
-        reason: place.why.to_string(),
+        why: place.why,
     };
     observer.warn(Warning { stage: Stage::Smooth, doubt });
 }

@@ -3,10 +3,10 @@
 use super::stretches::{FEWEST, Found, Place};
 use super::{Keeping, Program, RescheduleOptions, time};
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Turn};
+use crate::artifact::toolpath::{CutterLocation, PathKind, Turn};
 use crate::artifact::{AxisMotion, Blade, Channel, Cones, Schedule, Stand, Toolpath};
 use crate::channel::{self, ChannelOptions, ChannelSettings, Surroundings};
-use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
+use crate::error::{EndReason, Error, ErrorKind, Infeasible, Result, Stage};
 use crate::geometry::Vector;
 use crate::numerics::angle::{nearest_turn, within_half_turn};
 use crate::observe::{Observer, Silent, timed};

@@ -1,8 +1,8 @@
 //! Time of a stretch on a machine, as its lines ask for it.
 
-use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Turn};
+use crate::artifact::toolpath::{CutterLocation, PathKind, Turn};
 use crate::artifact::{AxisMotion, Cones, Schedule, Stand, Toolpath};
-use crate::error::Result;
+use crate::error::{EndReason, Result};
 use crate::feed::{self, FeedOptions};
 use crate::geometry::{Point, Vector};
 use crate::machine::Machine;

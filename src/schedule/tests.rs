@@ -6,9 +6,9 @@ use proptest::prelude::*;
 use super::*;
 use crate::artifact::channel::{Binding, ChannelRow};
 use crate::artifact::schedule::BaseAngle;
-use crate::artifact::toolpath::{CutterLocation, EndReason, Turn};
+use crate::artifact::toolpath::{CutterLocation, Turn};
 use crate::artifact::{Cones, ToolPart};
-use crate::error::{ErrorKind, Infeasible};
+use crate::error::{EndReason, ErrorKind, Infeasible};
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 

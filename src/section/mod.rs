@@ -110,7 +110,7 @@ struct SectionCut {
 }
 
 impl SectionCut {
-    /// The section, its edges and sides named; none where no loop closes.
+    /// The section, its edges and sides named, the airfoil's loop first; none where no loop closes.
     fn named(mut self, sides: Option<&Sides>) -> Option<Section> {
         let known = sides.map_or_else(Vec::new, |s| s.names(self.x_mm, &self.ends));
         for (k, (l, ends)) in self.loops.iter_mut().zip(&self.ends).enumerate() {
@@ -119,6 +119,10 @@ impl SectionCut {
             if let Some(sides) = sides.filter(|s| own.is_some() && s.are_elsewhere(self.x_mm, ends)) {
                 put_edges(l, sides.at(self.x_mm));
             }
+        }
+        // Another blade or the hub may have a larger loop.
+        if let Some(k) = known.iter().position(Option::is_some) {
+            self.loops[..=k].rotate_right(1);
         }
         (!self.loops.is_empty()).then_some(Section { x_mm: self.x_mm, loops: self.loops })
     }

@@ -18,7 +18,7 @@ use crate::geometry::nurbs::NurbsSurface;
 use crate::geometry::nurbs::shapes::{cone, cylinder, torus};
 use crate::geometry::part::Part;
 use crate::geometry::profile::outline::outlines;
-use crate::geometry::profile::{Names, Outline};
+use crate::geometry::profile::{Names, Outline, Sides};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::observe::{Recorder, Silent};
 
@@ -251,6 +251,36 @@ fn sections_of_a_prism_are_its_profile() {
         assert!((s.loops[0].chord_mm - 40.0).abs() < 0.01 && (s.loops[0].area_mm2 - 160.0 * PI).abs() < 0.2);
         for p in &s.loops[0].points_mm {
             assert!((p[0] / 20.0).hypot(p[1] / 8.0) < 1.0 + 1e-9 && (p[0] / 20.0).hypot(p[1] / 8.0) > 0.999);
+        }
+    }
+}
+
+#[test]
+fn the_airfoil_is_the_first_loop_also_beside_a_larger_body() {
+    let profile = sampled(240, |t| [20.0 * (TAU * t).cos(), 8.0 * (TAU * t).sin()]);
+    let larger = sampled(240, |t| [60.0 + 25.0 * (TAU * t).cos(), 10.0 * (TAU * t).sin()]);
+    let (mut blade, beside) = (prism(&profile, [0.0, 50.0]), prism(&larger, [0.0, 50.0]));
+    let mut mesh = blade.part.mesh;
+    let first = mesh.points.len() as u32;
+    mesh.points.extend(&beside.part.mesh.points);
+    mesh.triangles.extend(beside.part.mesh.triangles.iter().map(|t| t.map(|v| v + first)));
+    blade.part = Part::from_mesh(mesh);
+    let edge = |y: f64| [0.0, 50.0].map(|x| Point::new(x, y, 0.0)).to_vec();
+    let sides = |leading: f64, trailing: f64| Sides {
+        leading_edge_mm: edge(leading),
+        trailing_edge_mm: edge(trailing),
+        suction_follows_leading: true,
+    };
+    for (leading, trailing, area_mm2) in
+        [(20.0, -20.0, 160.0 * PI), (-20.0, 20.0, 160.0 * PI), (85.0, 35.0, 250.0 * PI)]
+    {
+        blade.regions.list[0].sides = Some(sides(leading, trailing));
+        for s in plan(&blade, &SectionOptions::default().with(|s| s.count = 3), &Silent).unwrap() {
+            let airfoil = &s.loops[0];
+            let k = airfoil.s_mm.iter().position(|s| *s >= airfoil.leading_edge_s_mm - 1e-9).unwrap_or(0);
+            let [y, _] = airfoil.points_mm[k];
+            assert!((airfoil.area_mm2 - area_mm2).abs() < 0.5 && (y - leading).abs() < 0.1, "{y} {}", airfoil.area_mm2);
+            assert_eq!(s.loops.len(), 2);
         }
     }
 }

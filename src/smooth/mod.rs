@@ -69,9 +69,9 @@ use turn::Turning;
 pub use evened::evened;
 pub use options::SmoothOptions;
 
-use crate::artifact::curve::{Curve, LeftAsIs, WhyLeft};
+use crate::artifact::curve::{Curve, LeftAsIs};
 use crate::artifact::{Channel, Schedule, Toolpath};
-use crate::error::{Error, Result, Stage};
+use crate::error::{Error, Result, Stage, WhyLeft};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::part::Part;
 use crate::machine::Machine;

@@ -17,8 +17,9 @@
 
 use super::options::{Asked, VerifyOptions};
 use crate::artifact::report::Check;
-use crate::artifact::toolpath::{CutterLocation, Direction, EndReason, Turn};
+use crate::artifact::toolpath::{CutterLocation, Direction, Turn};
 use crate::artifact::{Blade, CheckId, Cone, Plan, Toolpath};
+use crate::error::EndReason;
 
 /// Values that JSON and arithmetic in radians keep.
 const SAME: f64 = 1e-9;
@@ -69,7 +70,7 @@ fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
         let most = asked.lead_radius_mm;
         if lead.is_arc() && !(lead.radius_mm > 0.0 && lead.radius_mm <= most * (1.0 + SAME)) {
             wrong.push(format!("the {name} has radius {} in plan.json, feed.lead_radius_mm is {most}", lead.radius_mm));
-        } else if !lead.is_arc() && most > 0.0 && lead.reason.is_empty() {
+        } else if !lead.is_arc() && most > 0.0 && lead.reason.is_none() {
             wrong.push(format!("the {name} is no arc in plan.json, without a reason; feed.lead_radius_mm is {most}"));
         }
     }
@@ -125,7 +126,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
                 lower.first,
                 format!("{says}, the mean of its last turn is {:.3}", bottom[1]),
             ));
-        } else if matches!(path.end_reason, EndReason::Lean(_)) {
+        } else if path.end_reason.is_lean() {
             let leans = leans(&path.locations, lower);
             let short = if leans >= asked.max_lean_rad - LEAN_RAD { f64::NEG_INFINITY } else { lo - end };
             found.push((short, lower.first, format!("{says}; the wall leans by {:.1}° there", leans.to_degrees())));

@@ -15,6 +15,7 @@ use super::options::VerifyOptions;
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Cone, Lead, Obstacle, Plan, Stand};
+use crate::error::InTheWay;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::near_disc::DiscSearch;
 use crate::geometry::part::Part;
@@ -104,23 +105,23 @@ fn beyond(part: &Part, from: &Point, axis: &Vector, radius_mm: f64) -> f64 {
 
 /// What stands in the way of a lead to or from a location, in words; `None`: there is room: the
 /// tool keeps the clearance that is asked for.
-pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Option<String> {
+pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Option<InTheWay> {
     let way = LeadWay::new(lead, foot, inwards, room);
     let part = Allowed::new(&room.blade.part, room.stock_mm);
     let found = way.gouge(room);
     let depth = found.bound_mm.max(found.found_mm);
     if depth > room.options.settings.gouge_mm {
         let face = part.closest(&found.centre, f64::INFINITY).map(|c| part.face_name(c.face)).unwrap_or_default();
-        return Some(format!("the ball would cut {depth:.3} mm into {face}"));
+        return Some(InTheWay::Cut { depth_mm: depth, body: face });
     }
     if let Some((body, depth, _)) = way.in_obstacles(room).filter(|found| found.1 > 0.0) {
-        return Some(format!("the ball would cut {depth:.3} mm into {}", body.name));
+        return Some(InTheWay::Cut { depth_mm: depth, body: body.name.clone() });
     }
     if let Some(outer) = way.stands.iter().rev().nth(1).filter(|_| lead.is_arc()) {
         let height = room.tool.corner_mm() + OFF * lead.radius_mm * (1.0 - lead.angle_rad.cos());
         let disc = room.tool.disc(outer.centre, outer.axis());
         if DiscSearch::new(&part).closest(&disc, height, room.options.settings.resolution_mm).is_some() {
-            return Some("the part is beside its outer end as well".into());
+            return Some(InTheWay::OuterEnd);
         }
     }
     for a in room.apart() {
@@ -131,21 +132,20 @@ pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Optio
         let limit_mm = room.options.least_clearance(a.asked_mm);
         let kept = way.least(&a, limit_mm, room);
         if kept.least_mm < limit_mm {
-            let who = a.segments.get(kept.near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());
-            let what = a.named(kept.face);
-            return Some(format!("the {who} would come within {:.3} mm of {what}", kept.least_mm));
+            let tool = a.segments.get(kept.near.segment).map_or_else(|| "tool".into(), |s| s.part.to_string());
+            return Some(InTheWay::Near { tool, least_mm: kept.least_mm, body: a.named(kept.face) });
         }
     }
     lead.is_arc().then(|| off_travel(lead, foot.cone, room)).flatten()
 }
 
 /// An axis that would leave its travel on the arc.
-fn off_travel(lead: &Lead, cone: Cone, room: &Room) -> Option<String> {
+fn off_travel(lead: &Lead, cone: Cone, room: &Room) -> Option<InTheWay> {
     let axes = room.machine.axes();
     let gauge = room.tool.length_mm();
     room.machine.along(lead.stands(cone), gauge).into_iter().find_map(|q| {
         let out = |i: &usize| axes[*i].limits.travel.is_some_and(|[lo, hi]| !(lo..=hi).contains(&q[*i]));
-        (0..q.len()).find(out).map(|i| format!("axis {} would leave its travel", axes[i].name))
+        (0..q.len()).find(out).map(|i| InTheWay::Travel { axis: axes[i].name.to_string() })
     })
 }
 

@@ -60,7 +60,8 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::artifact::Cones;
-    use crate::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
+    use crate::artifact::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
+    use crate::error::EndReason;
     use crate::geometry::Vector;
     use crate::geometry::mesh::Mesh;
     use crate::geometry::part::Part;

@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use crate::artifact::blade::{Diagnosis, Unit};
 use crate::artifact::region::Regions;
-use crate::artifact::toolpath::{CutterLocation, EndReason, Toolpath, Turn};
+use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
 use crate::artifact::{Blade, Cone, Cones};
+use crate::error::EndReason;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};

@@ -108,7 +108,9 @@ impl Sides {
         let away: Vec<f64> = loops.iter().map(|ends| self.away(x_mm, ends)).collect();
         let nearest = (0..loops.len()).min_by(|a, b| away[*a].total_cmp(&away[*b]));
         let [lo, hi] = self.x_mm();
-        let own = nearest.filter(|k| (lo..=hi).contains(&x_mm) || away[*k] < NEAR);
+        // A round section, as of a round root, has no ends of its own: it takes those beside it.
+        let most = |k: usize| if loops[k].roundness() < ROUND { NEAR } else { 1.0 };
+        let own = nearest.filter(|k| (lo..=hi).contains(&x_mm) || away[*k] < most(*k));
         let [leading, trailing] = self.at(x_mm);
         let chord = [leading[0] - trailing[0], leading[1] - trailing[1]];
         let name = |k: usize| {
@@ -207,6 +209,21 @@ mod tests {
             (100.0 * share, ends(k, 1.2 * PI * share, [radius, 0.6]))
         };
         (0..HEIGHTS).map(section).collect()
+    }
+
+    #[test]
+    fn a_round_section_beyond_the_edges_takes_their_names_and_a_slender_one_does_not() {
+        let sides = Sides::along(&twisted(0.8)).unwrap();
+        let last = sides.names(100.0, &[ends(HEIGHTS - 1, 1.2 * PI, [1.0, 0.6])])[0].unwrap();
+        for turn in [0.0, 0.5 * PI, PI, 1.5 * PI] {
+            let slender = ends(HEIGHTS - 1, 1.2 * PI + turn, [1.0, 0.6]);
+            let round = SectionEnds { bulge_mm2: [200.0 * PI; 2], ..slender.clone() };
+            let along = turn == 0.0 || turn == PI;
+            assert_eq!(sides.names(104.0, &[slender])[0].is_some(), along, "{turn}");
+            let named = sides.names(104.0, &[round])[0].unwrap();
+            assert_eq!(named.suction_follows_leading, last.suction_follows_leading);
+            assert!(!along || named.first_leads == (last.first_leads == (turn == 0.0)), "{turn}");
+        }
     }
 
     #[test]
