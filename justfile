@@ -15,6 +15,10 @@ ci:
 corpus:
     cargo nextest run --release --run-ignored only -E 'test(/^corpus(_edges|_open)?::/)'
 
+# Sections of the same blades with their leading (red) and trailing edges (blue), in out/edges.svg
+edges:
+    BLADEWRIGHT_EDGES_SHEET=out/edges.svg cargo nextest run --release --run-ignored only -E 'test(/^corpus_edges::/)'
+
 # Tools on the channel's walls touch nothing, a fifth of a degree outside what the channel names
 walls:
     cargo nextest run --release --run-ignored only --no-capture -E 'test(/^walls::walls_of/)'

@@ -109,17 +109,58 @@ fn corpus_edges_keep_their_names() {
         (ROUND_ROOT[0], millimetres),
         (ROUND_ROOT[1], millimetres),
     ];
-    let mut wrong = Vec::new();
+    let (mut wrong, mut drawn) = (Vec::new(), Vec::new());
     for (file, unit) in blades {
         let blade = load(&folder.join(file), unit);
         let planned = section::plan(&blade, &SectionOptions::default().with(|s| s.count = HEIGHTS), &Silent);
         assert_eq!(planned.is_err(), OPEN.contains(&file), "{file}: {:?}", planned.err().map(|e| e.message));
         let Ok(all) = planned else { continue };
         let found = jumps(&all);
+        drawn.push(picture(file, &all, drawn.len()));
         eprintln!("{file}: {} sections, {} jumps", all.len(), found.len());
         if !found.is_empty() {
             wrong.push(format!("{file}: at {found:.2?} mm"));
         }
     }
+    if let Some(sheet) = std::env::var_os("BLADEWRIGHT_EDGES_SHEET").map(PathBuf::from) {
+        let sheet = Path::new(env!("CARGO_MANIFEST_DIR")).join(sheet);
+        std::fs::create_dir_all(sheet.parent().expect("a folder")).expect("the folder");
+        let height = drawn.len().div_ceil(COLUMNS) as f64 * CELL;
+        let width = COLUMNS as f64 * CELL;
+        let head = format!("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {width} {height}'>");
+        let style = "<rect width='100%' height='100%' fill='white'/><g font-family='sans-serif' font-size='11'>";
+        std::fs::write(sheet, format!("{head}{style}{}</g></svg>\n", drawn.concat())).expect("the sheet");
+    }
     assert!(wrong.is_empty(), "names jump: {wrong:#?}");
+}
+
+/// Cells of the sheet of pictures in a row, and their size in pixels.
+const COLUMNS: usize = 6;
+const CELL: f64 = 240.0;
+
+/// Every sixth section of a blade with its leading edge in red and its trailing edge in blue, in
+/// the cell of this number.
+fn picture(file: &str, sections: &[Section], cell: usize) -> String {
+    let drawn: Vec<&Section> = sections.iter().step_by(6).collect();
+    let points = || drawn.iter().flat_map(|s| &s.loops[0].points_mm);
+    let span = |k: usize| {
+        points().fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], p| [f64::min(lo, p[k]), f64::max(hi, p[k])])
+    };
+    let ([y_lo, y_hi], [z_lo, z_hi]) = (span(0), span(1));
+    let scale = (CELL - 30.0) / (y_hi - y_lo).max(z_hi - z_lo);
+    let corner = [(cell % COLUMNS) as f64 * CELL + 10.0, (cell / COLUMNS) as f64 * CELL + 20.0];
+    let at = |p: [f64; 2]| [corner[0] + (p[0] - y_lo) * scale, corner[1] + (z_hi - p[1]) * scale];
+    let mut out = format!("<text x='{}' y='{}'>{file}</text>", corner[0], corner[1] - 6.0);
+    for s in &drawn {
+        let line: Vec<String> =
+            s.loops[0].points_mm.iter().map(|p| at(*p)).map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+        out += &format!("<polygon points='{}' fill='none' stroke='#999' stroke-width='.6'/>", line.join(" "));
+    }
+    for s in &drawn {
+        for (edge, colour) in names(s).0.into_iter().zip(["#d00", "#06c"]) {
+            let [x, y] = at(edge);
+            out += &format!("<circle cx='{x:.1}' cy='{y:.1}' r='2.2' fill='{colour}'/>");
+        }
+    }
+    out
 }

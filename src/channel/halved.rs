@@ -37,7 +37,7 @@ pub(super) fn clear_of_tool(
     let all_angles = scene.options.clone().with(|s| {
         (s.contact_angle_min_deg, s.contact_angle_max_deg) = (0.0, 180.0);
     });
-    let places = Places { scene, samples, windows, all_angles: &all_angles };
+    let places = WindowPlaces { scene, samples, windows, all_angles: &all_angles };
     let whole = |place| Piece { place, part: [0.0, 1.0] };
     let reaches_mm = parallel::map(0..samples.len(), |place| places.reach_mm(&whole(place)).unwrap_or(0.0));
     let rooms = Rooms::of(reaches_mm.into_iter().fold(0.0, f64::max));
@@ -117,7 +117,7 @@ struct Decided {
 }
 
 /// The places of a path with their windows.
-struct Places<'a> {
+struct WindowPlaces<'a> {
     scene: &'a Scene<'a>,
     samples: &'a [Sample],
     windows: &'a [Window],
@@ -125,7 +125,7 @@ struct Places<'a> {
     all_angles: &'a ChannelOptions,
 }
 
-impl Places<'_> {
+impl WindowPlaces<'_> {
     fn with_room(&self, room_mm: f64) -> ObstacleScene<'_> {
         self.scene.around.scene_with(self.scene.tool, self.all_angles, room_mm)
     }

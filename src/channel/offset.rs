@@ -40,7 +40,7 @@ pub struct LeastTravel {
 }
 
 /// A location: its ball centre, its distance from the blade axis, and the free angles.
-struct Place {
+struct OffsetPlace {
     centre: Point,
     rho_mm: f64,
     free: Vec<[f64; 2]>,
@@ -56,19 +56,19 @@ pub fn least_travel(
     free: &[Vec<FreeInterval>],
     observer: &dyn Observer,
 ) -> Result<Option<LeastTravel>> {
-    let place = |(l, f): (&crate::artifact::toolpath::CutterLocation, &Vec<FreeInterval>)| Place {
+    let place = |(l, f): (&crate::artifact::toolpath::CutterLocation, &Vec<FreeInterval>)| OffsetPlace {
         centre: l.centre,
         rho_mm: l.centre.y.hypot(l.centre.z),
         free: f.iter().map(|f| [f.theta_min, f.theta_max]).collect(),
     };
-    let all: Vec<Place> = path.locations.iter().zip(free).map(place).collect();
+    let all: Vec<OffsetPlace> = path.locations.iter().zip(free).map(place).collect();
     let most = all.iter().map(|p| p.rho_mm).fold(0.0, f64::max);
     if !leads_through(&all, [-most, most]) {
         return Ok(None);
     }
     let mut step = all.len().div_ceil(FEW).max(1);
     loop {
-        let few: Vec<&Place> = all.iter().step_by(step).collect();
+        let few: Vec<&OffsetPlace> = all.iter().step_by(step).collect();
         let found = searched(&few, &all, most, observer)?;
         let gap = found.half_mm - found.bound_mm;
         if step == 1 || gap <= 2.0 * GAP * found.half_mm || gap <= TOLERANCE_MM {
@@ -79,7 +79,7 @@ pub fn least_travel(
 }
 
 /// The least range by some locations, as it holds for all.
-fn searched(few: &[&Place], all: &[Place], most: f64, observer: &dyn Observer) -> Result<LeastTravel> {
+fn searched(few: &[&OffsetPlace], all: &[OffsetPlace], most: f64, observer: &dyn Observer) -> Result<LeastTravel> {
     let upper = |low: f64| least_upper(low, most, |range| stays_behind(few, range));
     // Where the lower end may be, with the least upper end of its beginning.
     let mut cells: Vec<([f64; 2], f64)> = parallel::map(0..FIRST, |k| {
@@ -140,7 +140,7 @@ fn least_upper(low: f64, most: f64, has: impl Fn([f64; 2]) -> bool) -> f64 {
 }
 
 /// What a range of the offset leaves of an interval.
-fn left(place: &Place, interval: [f64; 2], range: [f64; 2]) -> impl Iterator<Item = [f64; 2]> + use<> {
+fn left(place: &OffsetPlace, interval: [f64; 2], range: [f64; 2]) -> impl Iterator<Item = [f64; 2]> + use<> {
     let within = -place.rho_mm >= range[0] && place.rho_mm <= range[1];
     let cut = (!within).then(|| AxisTravel::of_offset("", range).left_of(&place.centre, interval));
     let whole = within.then_some(interval);
@@ -148,7 +148,7 @@ fn left(place: &Place, interval: [f64; 2], range: [f64; 2]) -> impl Iterator<Ite
 }
 
 /// A schedule that never turns back may be within the range at these places, whatever is between.
-fn stays_behind(places: &[&Place], range: [f64; 2]) -> bool {
+fn stays_behind(places: &[&OffsetPlace], range: [f64; 2]) -> bool {
     let mut at = f64::NEG_INFINITY;
     for place in places {
         let next = place.free.iter().flat_map(|i| left(place, *i, range));
@@ -162,15 +162,15 @@ fn stays_behind(places: &[&Place], range: [f64; 2]) -> bool {
 
 /// How far the ends of what a range leaves go from a place to the next, rad: with the azimuth of
 /// the ball centre, and with its distance from the axis.
-fn ends_go(from: &Place, to: &Place, range: [f64; 2]) -> f64 {
-    let azimuth = |place: &Place| place.centre.z.atan2(place.centre.y);
-    let ahead = |place: &Place, offset: f64| (offset / place.rho_mm).clamp(-1.0, 1.0).asin();
+fn ends_go(from: &OffsetPlace, to: &OffsetPlace, range: [f64; 2]) -> f64 {
+    let azimuth = |place: &OffsetPlace| place.centre.z.atan2(place.centre.y);
+    let ahead = |place: &OffsetPlace, offset: f64| (offset / place.rho_mm).clamp(-1.0, 1.0).asin();
     let by_distance = range.map(|offset| (ahead(to, offset) - ahead(from, offset)).abs());
     within_half_turn(azimuth(to) - azimuth(from)).abs() + by_distance[0].max(by_distance[1])
 }
 
 /// A schedule that never turns back leads through intervals that overlap from place to place.
-fn leads_through(places: &[Place], range: [f64; 2]) -> bool {
+fn leads_through(places: &[OffsetPlace], range: [f64; 2]) -> bool {
     // Each interval, and the least angle that is reached in it.
     let mut reached: Vec<([f64; 2], f64)> = Vec::new();
     for (k, place) in places.iter().enumerate() {
@@ -265,11 +265,11 @@ mod tests {
             [-0.2 + 0.35 * (0.031 * f).sin(), 0.1 + 0.35 * (0.031 * f).sin() + 0.1 * (0.2 * f).cos()]
         });
         let found = least_travel(&path, &free, &Silent).unwrap().unwrap();
-        let places: Vec<Place> = path
+        let places: Vec<OffsetPlace> = path
             .locations
             .iter()
             .zip(&free)
-            .map(|(l, f)| Place {
+            .map(|(l, f)| OffsetPlace {
                 centre: l.centre,
                 rho_mm: 20.0,
                 free: f.iter().map(|f| [f.theta_min, f.theta_max]).collect(),

@@ -151,7 +151,7 @@ impl Annulus {
 
 /// A point that was found inside the tool.
 #[derive(Clone, Copy)]
-struct Found {
+struct PointInTool {
     body: u16,
     leaf: u32,
     point: Point,
@@ -199,7 +199,7 @@ enum Contact {
 }
 
 /// What a node leaves of axes within a turn of one.
-enum Near {
+enum Cover {
     /// All.
     Clear,
     /// It is not known before these nodes are looked at.
@@ -222,7 +222,7 @@ pub(super) struct SphereSearch<'a> {
     centre: Point,
     normal: Vector,
     contact_rad: [f64; 2],
-    points: Vec<Found>,
+    points: Vec<PointInTool>,
     annuli: Vec<Annulus>,
     heights: Vec<HeightRange>,
     /// Nodes and annuli that may matter, those of each cell on the way down after one another.
@@ -308,7 +308,7 @@ impl<'a> SphereSearch<'a> {
 
     /// The annuli of a point that was found.
     fn add_annuli(&mut self, k: usize) {
-        let Found { body, leaf, point, .. } = self.points[k];
+        let PointInTool { body, leaf, point, .. } = self.points[k];
         let v = point - self.centre;
         let distance = v.norm();
         let Some(direction) = v.try_normalize(1e-12) else { return };
@@ -388,9 +388,9 @@ impl<'a> SphereSearch<'a> {
         opened.extend_from_slice(&self.nodes[nodes[0]..nodes[1]]);
         while let Some(start) = opened.pop() {
             match self.near(start, cell) {
-                Near::Clear => {}
-                Near::Below(below) => opened.extend(below),
-                Near::Kept => {
+                Cover::Clear => {}
+                Cover::Below(below) => opened.extend(below),
+                Cover::Kept => {
                     self.nodes.push(start);
                     if is_any {
                         break;
@@ -402,26 +402,26 @@ impl<'a> SphereSearch<'a> {
     }
 
     /// Whether points of a node may hold axes of a cell.
-    fn near(&self, (body, index): Start, cell: &Cell) -> Near {
+    fn near(&self, (body, index): Start, cell: &Cell) -> Cover {
         let on = &self.scene.bodies[usize::from(body)];
         let node = on.tree.node(index);
         let v = node.centre - self.centre;
         let distance = v.norm();
         if distance - node.radius > on.profile.farthest {
-            return Near::Clear;
+            return Cover::Clear;
         }
         let facet = bound::facet(&on.profile, &cell.axis, &v, node.radius, &node.half);
         let moved = cell.turn * (distance + node.radius);
         let nearer = cell.nearer(&v, &facet.flat.slope);
         let over_node = nearer + cell.rho * node.radius * (1.0 + 0.5 * cell.rho);
         if facet.flat.least > moved.min(over_node) && facet.others > moved {
-            return Near::Clear;
+            return Cover::Clear;
         }
         if node.radius <= FINER * moved.min(nearer) {
-            return Near::Kept;
+            return Cover::Kept;
         }
         let leaf = match on.tree.below(index) {
-            tree::Below::Nodes(a, b) => return Near::Below([(body, a), (body, b)]),
+            tree::Below::Nodes(a, b) => return Cover::Below([(body, a), (body, b)]),
             tree::Below::Leaf(leaf) => leaf,
         };
         let corners = on.tree.corners(leaf).map(|c| c - self.centre);
@@ -435,7 +435,7 @@ impl<'a> SphereSearch<'a> {
                     _ => false,
                 }
         });
-        if is_clear { Near::Clear } else { Near::Kept }
+        if is_clear { Cover::Clear } else { Cover::Kept }
     }
 
     /// Looks for a point inside the tool at an axis, far from where its annulus ends: always below
@@ -464,7 +464,7 @@ impl<'a> SphereSearch<'a> {
                     let deepest = depths.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
                     if let Some((_, point)) = deepest.filter(|d| d.0 > 0.0) {
                         let first = self.annuli.len();
-                        self.points.push(Found { body, leaf, point, uses: 0 });
+                        self.points.push(PointInTool { body, leaf, point, uses: 0 });
                         self.add_annuli(self.points.len() - 1);
                         return Some(first..self.annuli.len());
                     }

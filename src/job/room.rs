@@ -35,7 +35,7 @@ struct Surface {
 }
 
 /// Places on the wall near the platform, then on the fillet.
-pub(super) struct Places {
+pub(super) struct WallPlaces {
     of: [Surface; 2],
     /// Heights between which the wall is looked at, mm.
     pub(super) heights_mm: [f64; 2],
@@ -56,9 +56,9 @@ pub(super) struct Share {
     pub(super) places: Vec<bool>,
 }
 
-impl Places {
+impl WallPlaces {
     /// Places between the region's heights, as far as they are known.
-    pub(super) fn new(blade: &Blade, start_mm: Option<f64>, end_mm: Option<f64>) -> Places {
+    pub(super) fn new(blade: &Blade, start_mm: Option<f64>, end_mm: Option<f64>) -> WallPlaces {
         let [a, b] = blade.regions.airfoil_x_mm();
         let top = start_mm.unwrap_or_else(|| near_platform(blade)).clamp(a, b).max(a + 0.02 * (b - a));
         let foot = end_mm.map_or(a, |e| e.clamp(a, top));
@@ -70,7 +70,7 @@ impl Places {
             .filter_map(|x| Some((x, bounds(&outline(blade, x)?))))
             .collect();
         let none = || Surface { places: Vec::new(), area_mm2: 0.0 };
-        Places {
+        WallPlaces {
             of: [
                 spread(blade, &outlines, wall, WALL_LEAN),
                 fillet.map_or_else(none, |f| spread(blade, &outlines, f, FILLET_LEAN)),

@@ -11,7 +11,7 @@
 //! * Shank: the thinnest that the cutter is sold on and that is stiff enough for the stick-out.
 //!   Chuck: the one for the shank.
 
-use super::room::{Places, Share};
+use super::room::{Share, WallPlaces};
 use super::sections::ToolKeys;
 use crate::artifact::Blade;
 use crate::error::{Error, Frame, Infeasible, Result, Spot, Stage};
@@ -83,7 +83,7 @@ fn round(x: f64) -> f64 {
 /// `Usage`: values outside their limits. `Infeasible`: no ball has room.
 pub(super) fn complete(keys: &ToolKeys, blade: &Blade, start_mm: Option<f64>, end_mm: Option<f64>) -> Result<Chosen> {
     let catalogue = Catalogue::built_in()?;
-    let places = Places::new(blade, start_mm, end_mm);
+    let places = WallPlaces::new(blade, start_mm, end_mm);
     let reach_mm = blade.part.mesh.points.iter().map(|p| p.y.hypot(p.z)).fold(0.0, f64::max);
     let needed_mm = |r: f64| up_to_five(1.1 * reach_mm + 2.0 * r);
     let corner = keys.corner_mm();
@@ -183,7 +183,7 @@ pub(super) fn check_corner(keys: &ToolKeys) -> Result<Option<Tool>> {
 /// The cutter that the part's shape asks for, and why.
 fn default_cutter(
     blade: &Blade,
-    places: &Places,
+    places: &WallPlaces,
     catalogue: &Catalogue,
     reaches: impl Fn(&Cutter) -> bool,
     warnings: &mut Vec<Doubt>,
@@ -236,7 +236,7 @@ fn default_cutter(
 }
 
 /// The doubt about a given ball that does not go to all of wall and fillet.
-fn too_large(blade: &Blade, places: &Places, catalogue: &Catalogue, radius_mm: f64) -> Option<Doubt> {
+fn too_large(blade: &Blade, places: &WallPlaces, catalogue: &Catalogue, radius_mm: f64) -> Option<Doubt> {
     let smallest = catalogue.cutter.first()?.radius_mm.min(radius_mm);
     let sound = places.sound(blade, smallest);
     let shares = places.shares(blade, radius_mm, NONE_TO_SPARE, &sound.places);
@@ -273,7 +273,7 @@ fn in_model(blade: &Blade, tightest: Option<(Point, f64)>) -> Option<[f64; 3]> {
 }
 
 /// Not even the smallest ball has room.
-fn no_room(blade: &Blade, radius_mm: f64, sound: &Share, places: &Places) -> Error {
+fn no_room(blade: &Blade, radius_mm: f64, sound: &Share, places: &WallPlaces) -> Error {
     let [lo, hi] = places.heights_mm;
     let tightest_mm = in_model(blade, sound.tightest);
     Error::infeasible(

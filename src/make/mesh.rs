@@ -18,7 +18,7 @@ use crate::geometry::nurbs::NurbsSurface;
 const MAX_HALVINGS: usize = 9;
 
 /// Curved faces in the order of [`super::assemble`]: all airfoil patches, then all fillets.
-struct Grid<'a> {
+struct PatchGrid<'a> {
     airfoil: Vec<&'a NurbsSurface>,
     fillet: Vec<&'a NurbsSurface>,
     /// Parameters along u of every patch.
@@ -67,7 +67,7 @@ fn samples(knots: &[f64], n: usize) -> Vec<f64> {
     (0..=n).map(|i| a + (b - a) * i as f64 / n as f64).collect()
 }
 
-impl<'a> Grid<'a> {
+impl<'a> PatchGrid<'a> {
     fn new(airfoil: Vec<&'a NurbsSurface>, fillet: Vec<&'a NurbsSurface>, tolerance: f64) -> Self {
         let along_v = |surfaces: &[&NurbsSurface], pieces: usize| match surfaces.first() {
             Some(first) => divide(&samples(&first.knots_v, pieces), tolerance, |a, b| {
@@ -95,7 +95,7 @@ impl<'a> Grid<'a> {
             })
             .collect();
         let (v_airfoil, v_fillet) = (along_v(&airfoil, 1), along_v(&fillet, 4));
-        Grid { airfoil, fillet, u, v_airfoil, v_fillet }
+        PatchGrid { airfoil, fillet, u, v_airfoil, v_fillet }
     }
 }
 
@@ -111,7 +111,8 @@ pub(super) fn mesh(solid: &Solid, [patches, fillets]: [usize; 2], deflection: f6
     let surfaces: Vec<&NurbsSurface> = solid.brep.faces.iter().map(|f| &f.surface).collect();
     let mut tolerance = 0.6 * deflection;
     for _ in 0..8 {
-        let grid = Grid::new(surfaces[..patches].to_vec(), surfaces[patches..patches + fillets].to_vec(), tolerance);
+        let grid =
+            PatchGrid::new(surfaces[..patches].to_vec(), surfaces[patches..patches + fillets].to_vec(), tolerance);
         let mut maker = Maker::new(solid, &grid)?;
         let measured = maker.measure();
         if measured <= deflection {
@@ -138,7 +139,7 @@ struct Maker<'a> {
 }
 
 impl<'a> Maker<'a> {
-    fn new(solid: &'a Solid, grid: &Grid) -> Result<Self> {
+    fn new(solid: &'a Solid, grid: &PatchGrid) -> Result<Self> {
         let on_edge = vec![Vec::new(); solid.brep.edges.len()];
         let mut maker = Maker { solid, mesh: Mesh::default(), on_edge };
         let n = grid.airfoil.len();
@@ -199,7 +200,7 @@ impl<'a> Maker<'a> {
 
     /// Points on the edges round foot and tip, which the flat faces need. Edges are found by the
     /// loops of the faces.
-    fn ring_edges(&mut self, n: usize, fillet_rows: usize, grid: &Grid, id: impl Fn(usize, usize) -> u32) {
+    fn ring_edges(&mut self, n: usize, fillet_rows: usize, grid: &PatchGrid, id: impl Fn(usize, usize) -> u32) {
         let top = fillet_rows + grid.v_airfoil.len() - 1;
         let mut first = 0;
         for i in 0..n {

@@ -61,7 +61,7 @@ pub(crate) struct Before<'a> {
 }
 
 /// The same along the curve.
-pub(crate) struct Made {
+pub(crate) struct SmoothedPlan {
     pub path: Toolpath,
     pub channel: Channel,
     pub schedule: Schedule,
@@ -78,7 +78,7 @@ pub(crate) fn smoothed(
     before: Before,
     motion: Option<&MotionAndLeads>,
     observer: &dyn Observer,
-) -> Result<Option<Made>> {
+) -> Result<Option<SmoothedPlan>> {
     let given_up = |reason: WhyNone| {
         observer.warn(Warning { stage: Stage::Smooth, doubt: Doubt::NothingSmoothed { reason } });
         Ok(None)
@@ -136,7 +136,7 @@ pub(crate) fn smoothed(
         if bad.is_empty() {
             let curve = compared(setup, before, motion, (&path, &schedule), curve)?;
             told(&curve, &before, observer);
-            return Ok(Some(Made { path, channel, schedule, curve }));
+            return Ok(Some(SmoothedPlan { path, channel, schedule, curve }));
         }
         observer.check(Stage::Smooth)?;
         if nearer < NEARER {
@@ -291,7 +291,7 @@ enum Source {
 
 /// A row with what begins there.
 #[derive(Clone, Copy)]
-struct Place {
+struct RowOnCurve {
     s_mm: f64,
     source: Source,
     way: Way,
@@ -312,7 +312,7 @@ impl Laid<'_> {
         let (places, given_up) = self.places();
         let old = self.before.path;
         let part = Allowed::new(&self.setup.blade.part, old.stock_mm);
-        let row = |p: &Place| self.row(p, &part);
+        let row = |p: &RowOnCurve| self.row(p, &part);
         let rows = parallel::map_short(256, &places, row);
         let rows: Vec<(CutterLocation, f64, CurveRow)> = rows.into_iter().collect::<Option<_>>()?;
         let starts: Vec<f64> = old.turns.iter().map(|t| old.locations[t.first].s_mm).collect();
@@ -338,7 +338,7 @@ impl Laid<'_> {
         Some((path, schedule, curve))
     }
 
-    fn row(&self, place: &Place, part: &Allowed) -> Option<(CutterLocation, f64, CurveRow)> {
+    fn row(&self, place: &RowOnCurve, part: &Allowed) -> Option<(CutterLocation, f64, CurveRow)> {
         let old = &self.before.path.locations;
         let (stretch, span, share) = match place.source {
             Source::Location(k) => {
@@ -363,9 +363,9 @@ impl Laid<'_> {
     }
 
     /// All rows in order, and where the curve is given up.
-    fn places(&self) -> (Vec<Place>, Vec<[f64; 2]>) {
+    fn places(&self) -> (Vec<RowOnCurve>, Vec<[f64; 2]>) {
         let old = &self.before.path.locations;
-        let mut out: Vec<Place> = Vec::with_capacity(old.len());
+        let mut out: Vec<RowOnCurve> = Vec::with_capacity(old.len());
         let mut given_up = Vec::new();
         // The first location that is not behind the rows so far.
         let mut next = 0;
@@ -398,7 +398,13 @@ impl Laid<'_> {
     }
 
     /// Locations as they are, but those that the ends of the curve come too near to.
-    fn locations(&self, range: std::ops::Range<usize>, after: Option<f64>, until: Option<f64>, out: &mut Vec<Place>) {
+    fn locations(
+        &self,
+        range: std::ops::Range<usize>,
+        after: Option<f64>,
+        until: Option<f64>,
+        out: &mut Vec<RowOnCurve>,
+    ) {
         let old = &self.before.path.locations;
         for k in range {
             let s_mm = old[k].s_mm;
@@ -407,12 +413,12 @@ impl Laid<'_> {
             if after.is_some_and(|s| s_mm - s < apart) || until.is_some_and(|s| s - s_mm < apart) {
                 continue;
             }
-            out.push(Place { s_mm, source: Source::Location(k), way: Way::Straight });
+            out.push(RowOnCurve { s_mm, source: Source::Location(k), way: Way::Straight });
         }
     }
 
     /// Rows on spans of a stretch.
-    fn curve(&self, stretch: usize, spans: std::ops::Range<usize>, out: &mut Vec<Place>) {
+    fn curve(&self, stretch: usize, spans: std::ops::Range<usize>, out: &mut Vec<RowOnCurve>) {
         let of = &self.found.stretches[stretch];
         let last = spans.end - 1;
         for span in spans {
@@ -421,10 +427,14 @@ impl Laid<'_> {
             for j in 0..parts {
                 let share = j as f64 / parts as f64;
                 let way = if j == 0 { Way::Piece } else { Way::Within };
-                out.push(Place { s_mm: a + (b - a) * share, source: Source::Curve { stretch, span, share }, way });
+                out.push(RowOnCurve { s_mm: a + (b - a) * share, source: Source::Curve { stretch, span, share }, way });
             }
             if span == last {
-                out.push(Place { s_mm: b, source: Source::Curve { stretch, span, share: 1.0 }, way: Way::Straight });
+                out.push(RowOnCurve {
+                    s_mm: b,
+                    source: Source::Curve { stretch, span, share: 1.0 },
+                    way: Way::Straight,
+                });
             }
         }
     }

@@ -177,9 +177,9 @@ pub fn compare(
 }
 
 /// Schedules with the seconds that each took, and their names.
-type Made = (Vec<(Schedule, f64)>, Vec<String>);
+type TimedSchedules = (Vec<(Schedule, f64)>, Vec<String>);
 
-fn all(setup: &Setup, path: &Toolpath, channel: &Channel) -> Result<Made> {
+fn all(setup: &Setup, path: &Toolpath, channel: &Channel) -> Result<TimedSchedules> {
     let options = setup.schedule_options();
     let own = options.settings.measure;
     let mut kinds = vec![

@@ -24,7 +24,7 @@ const HALVINGS: usize = 60;
 
 /// A location as the offset sees it.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct CentredPlace {
     /// Distance of the ball centre from the blade axis, mm.
     rho_mm: f64,
     /// Its azimuth, unwrapped over the path, rad.
@@ -33,7 +33,7 @@ struct Place {
     walls: [f64; 2],
 }
 
-impl Place {
+impl CentredPlace {
     /// θ at an offset; where the centre is nearer to the axis than that, of the offset that it has.
     fn theta(&self, offset_mm: f64) -> f64 {
         self.psi + (offset_mm / self.rho_mm).clamp(-1.0, 1.0).asin()
@@ -111,11 +111,11 @@ pub(super) fn plan(
 }
 
 /// The locations, with azimuths unwrapped from the one nearest to the channel's middle.
-fn places(path: &Toolpath, channel: &Channel) -> Vec<Place> {
+fn places(path: &Toolpath, channel: &Channel) -> Vec<CentredPlace> {
     let mut psi = channel.rows.first().map_or(0.0, |r| 0.5 * (r.theta_min + r.theta_max));
     let place = |(l, r): (&crate::artifact::toolpath::CutterLocation, &crate::artifact::channel::ChannelRow)| {
         psi = nearest_turn(l.centre.z.atan2(l.centre.y), psi);
-        Place { rho_mm: l.centre.y.hypot(l.centre.z), psi, walls: [r.theta_min, r.theta_max] }
+        CentredPlace { rho_mm: l.centre.y.hypot(l.centre.z), psi, walls: [r.theta_min, r.theta_max] }
     };
     path.locations.iter().zip(&channel.rows).map(place).collect()
 }
@@ -128,7 +128,7 @@ fn place(at: &Along) -> String {
 ///
 /// # Errors
 /// Kind `Infeasible`: the two locations that leave none between them.
-fn allowed(path: &Toolpath, places: &[Place]) -> Result<[f64; 2]> {
+fn allowed(path: &Toolpath, places: &[CentredPlace]) -> Result<[f64; 2]> {
     let mut best = [(f64::NEG_INFINITY, 0), (f64::INFINITY, 0)];
     for (row, p) in places.iter().enumerate() {
         let Some([low, high]) = p.offsets() else {
@@ -183,7 +183,7 @@ fn on_machine([low, high]: [f64; 2], options: &ScheduleOptions) -> Result<[f64; 
 }
 
 /// An offset that the job asks for is one that all locations allow.
-fn within(path: &Toolpath, places: &[Place], [low, high]: [f64; 2], asked: f64) -> Result<()> {
+fn within(path: &Toolpath, places: &[CentredPlace], [low, high]: [f64; 2], asked: f64) -> Result<()> {
     if (low..=high).contains(&asked) {
         return Ok(());
     }
@@ -202,7 +202,7 @@ fn within(path: &Toolpath, places: &[Place], [low, high]: [f64; 2], asked: f64) 
 }
 
 /// The offset with most room to both walls.
-fn roomiest(places: &[Place], [mut low, mut high]: [f64; 2]) -> f64 {
+fn roomiest(places: &[CentredPlace], [mut low, mut high]: [f64; 2]) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         let least = |side: usize| places.iter().map(|p| p.room(middle)[side]).fold(f64::INFINITY, f64::min);

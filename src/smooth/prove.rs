@@ -41,7 +41,7 @@ impl Proof {
 }
 
 #[derive(Clone, Copy)]
-struct Place {
+struct ProofPlace {
     t: f64,
     distance: f64,
     /// Half the derivative of the squared distance from the foot.
@@ -76,7 +76,7 @@ fn span(part: &Allowed, radius: f64, [a, b]: [f64; 2], o: &[[f64; 3]; ORDER], li
         let c = Point::from(at[0]);
         let near = part.closest(&c, cap)?;
         let away = (c - near.point).try_normalize(1e-12)? * near.distance_mm;
-        Some(Place { t, distance: near.distance_mm, slope: away.dot(&Vector::from(at[1])) })
+        Some(ProofPlace { t, distance: near.distance_mm, slope: away.dot(&Vector::from(at[1])) })
     };
     let (start, end) = (see(0.0)?, see(1.0)?);
     let mut open = vec![(start, end)];
@@ -95,7 +95,7 @@ fn span(part: &Allowed, radius: f64, [a, b]: [f64; 2], o: &[[f64; 3]; ORDER], li
             continue;
         }
         // Where the place itself is beyond the limit, halving does not help.
-        let beyond = |p: &Place| radius - p.distance > limits[0] || p.distance - radius > limits[1];
+        let beyond = |p: &ProofPlace| radius - p.distance > limits[0] || p.distance - radius > limits[1];
         if (beyond(&p) || beyond(&q)) && length < 0.02 * h {
             proven = [proven[0].max(inwards), proven[1].max(outwards)];
             continue;

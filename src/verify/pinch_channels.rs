@@ -48,7 +48,7 @@ pub(super) fn meet(programs: [&Read; 2], work: &PinchWork, machine: &Machine) ->
     let parts = programs[0].parts.iter().zip(&programs[1].parts);
     let (mut lines, mut at) = (Vec::new(), Axes::from_fn(machine.axes().len(), |_| f64::NAN));
     let join = |a: &Axes, b: &Axes| Axes::from_fn(a.len(), |k| if is_second(k) { b[k] } else { a[k] });
-    let mut found = Found::default();
+    let mut found = BetweenMarks::default();
     for (n, (one, two)) in parts.enumerate() {
         found.part(n, [one, two], programs, (machine, &at));
         let ends = [one, two].map(|p| p.last().map_or(at, |l| l.at));
@@ -144,7 +144,7 @@ fn marks(programs: [&Read; 2], stretches: usize) -> [Check; 3] {
 
 /// What was found between two marks.
 #[derive(Default)]
-struct Found {
+struct BetweenMarks {
     /// Moves of the table where a tool cuts.
     table: Vec<String>,
     /// Rapids there, and lines that only one channel has.
@@ -153,7 +153,7 @@ struct Found {
     lag_s: (f64, String),
 }
 
-impl Found {
+impl BetweenMarks {
     /// The part behind mark `n`, counted from 0 for what comes before the first.
     fn part(&mut self, n: usize, parts: [&[Line]; 2], programs: [&Read; 2], (machine, before): (&Machine, &Axes)) {
         let cuts = |part: &[Line]| part.iter().filter(|l| !l.is_rapid).count();

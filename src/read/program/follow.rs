@@ -135,7 +135,7 @@ struct Follower<'a> {
 }
 
 /// Where a block goes, in its own coordinates, and what brings these to the columns of X, Y, Z.
-struct Way {
+struct BlockWay {
     words: Programmed,
     here: [f64; 3],
     there: [f64; 3],
@@ -248,7 +248,7 @@ impl<'a> Follower<'a> {
     }
 
     /// A way leaves an axis that the machine has not where it is: at 0.
-    fn without_missing(&self, block: &Block, way: &mut Way) -> Result<()> {
+    fn without_missing(&self, block: &Block, way: &mut BlockWay) -> Result<()> {
         let axes = self.bench.machine.axes();
         for (k, axis) in axes.iter().enumerate().filter(|(_, a)| a.is_missing) {
             // All axes are sent where only the machine knows, also those that it does not have.
@@ -262,7 +262,7 @@ impl<'a> Follower<'a> {
     }
 
     /// Lets a way begin where its line says.
-    fn begin(&self, block: &Block, [point, rotary]: [[f64; 3]; 2], way: &mut Way) -> Result<()> {
+    fn begin(&self, block: &Block, [point, rotary]: [[f64; 3]; 2], way: &mut BlockWay) -> Result<()> {
         let machine = self.bench.machine;
         let turned = way.words_from_block.rotation * Vector::from(point);
         let linear = machine.linear().into_iter().zip(turned.iter().map(|v| (*v, 1.0)));
@@ -281,7 +281,7 @@ impl<'a> Follower<'a> {
     }
 
     /// X, Y, Z are positions of the axes, or diameters; `to` has where the rotary axes go.
-    fn in_axes(&self, block: &Block, point: [Option<f64>; 3], mut to: Axes) -> Way {
+    fn in_axes(&self, block: &Block, point: [Option<f64>; 3], mut to: Axes) -> BlockWay {
         let (Bench { tool, zero, machine, .. }, linear) = (*self.bench, self.bench.machine.linear());
         let point: [Option<f64>; 3] =
             std::array::from_fn(|i| Some(point[i]? / machine.axes()[linear[i]].word_per_mm()));
@@ -312,11 +312,11 @@ impl<'a> Follower<'a> {
             linear.into_iter().zip(place.iter()).for_each(|(k, v)| to[k] = *v);
         }
         let words = Programmed::Machine;
-        Way { words, here, there, from: self.stands, to, words_from_block }
+        BlockWay { words, here, there, from: self.stands, to, words_from_block }
     }
 
     /// In a plane to which the tool is square already.
-    fn in_plane(&self, block: &Block, point: [Option<f64>; 3], to: Axes) -> Result<Way> {
+    fn in_plane(&self, block: &Block, point: [Option<f64>; 3], to: Axes) -> Result<BlockWay> {
         let machine = self.bench.machine;
         if machine.rotary().any(|k| !to[k].is_finite()) {
             return Err(unreachable(block.line, "a move in a tilted plane while the rotary axes are who knows where"));
@@ -338,7 +338,7 @@ impl<'a> Follower<'a> {
     }
 
     /// X, Y, Z are the programmed point over the part; `to` has where the rotary axes go.
-    fn over_the_part(&self, block: &Block, words: Programmed, point: [Option<f64>; 3], to: Axes) -> Way {
+    fn over_the_part(&self, block: &Block, words: Programmed, point: [Option<f64>; 3], to: Axes) -> BlockWay {
         let Bench { tool, machine, .. } = *self.bench;
         let blade_from_program = self.blade_from_program(block);
         let here = match self.said {
@@ -356,11 +356,11 @@ impl<'a> Follower<'a> {
         }
         let at = |axes: Axes, point: [f64; 3]| with_point(axes, machine, blade_from_program * Point::from(point));
         let (from, to) = (at(self.stands, here), at(to, there));
-        Way { words, here, there, from, to, words_from_block: blade_from_program }
+        BlockWay { words, here, there, from, to, words_from_block: blade_from_program }
     }
 
     /// Makes the moves of a way.
-    fn drive(&mut self, block: &Block, at: usize, way: &Way, out: &mut Vec<Moved>) -> Result<()> {
+    fn drive(&mut self, block: &Block, at: usize, way: &BlockWay, out: &mut Vec<Moved>) -> Result<()> {
         let Bench { tool, machine, .. } = *self.bench;
         if let Destination::Words { point, rotary } = block.place {
             self.away |= point.iter().chain(&rotary).flatten().any(|word| word.is_nan());
@@ -419,12 +419,12 @@ impl<'a> Follower<'a> {
     }
 
     /// The polynomials of a piece of an arc.
-    fn bent(&self, way: &Way, piece: &Piece) -> Axes<[f64; 4]> {
+    fn bent(&self, way: &BlockWay, piece: &Piece) -> Axes<[f64; 4]> {
         self.polynomials(&Bend { point: piece.bend, ..Bend::default() }, way)
     }
 
     /// Polynomials in the order of the axes; those of X, Y and Z brought to the frame of the move.
-    fn polynomials(&self, said: &Bend, way: &Way) -> Axes<[f64; 4]> {
+    fn polynomials(&self, said: &Bend, way: &BlockWay) -> Axes<[f64; 4]> {
         let machine = self.bench.machine;
         let (axes, linear) = (machine.axes(), machine.linear());
         let mut out: Axes<[f64; 4]> = Axes::of_default(axes.len());

@@ -32,7 +32,7 @@ const SHARE: f64 = 0.01;
 const TIMES: f64 = 3.0;
 
 /// A place on the part and its normal.
-type Place = (Point, Vector);
+type PointAndNormal = (Point, Vector);
 
 /// The wheel that a part is one sector of; `None`: it is none, or nothing shows it.
 pub fn sector(mesh: &Mesh) -> Option<Wheel> {
@@ -42,7 +42,7 @@ pub fn sector(mesh: &Mesh) -> Option<Wheel> {
     let bvh = MeshBvh::new(mesh);
     let within_mm = NEAR * size_mm;
     let turn = |blades: usize| about(&axis, &Point::origin(), TAU / blades as f64);
-    let meets = |(p, n): &Place, turn: &Rigid| {
+    let meets = |(p, n): &PointAndNormal, turn: &Rigid| {
         let near = bvh.closest(mesh, &(turn * p), within_mm);
         near.is_some_and(|near| mesh.normal(near.triangle as usize).dot(&(turn * n)) < AGAINST)
     };
@@ -63,7 +63,7 @@ pub fn sector(mesh: &Mesh) -> Option<Wheel> {
 }
 
 /// Places spread evenly over the surface: how many, and those that are on no surface of revolution.
-fn sides(mesh: &Mesh, axis: &Vector) -> (usize, Vec<Place>) {
+fn sides(mesh: &Mesh, axis: &Vector) -> (usize, Vec<PointAndNormal>) {
     let all = spread(mesh, |_| true, PLACES);
     let side = |(p, t): &(Point, u32)| {
         let (n, around) = (mesh.normal(*t as usize), axis.cross(&p.coords));
