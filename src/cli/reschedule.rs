@@ -10,11 +10,12 @@ use super::{inspect, theirs};
 use crate::artifact::schedule::ThetaRow;
 use crate::error::{Error, Result, Stage};
 use crate::machine::Machine;
-use crate::observe::Observer;
+use crate::observe::{Observer, timed};
 use crate::read::model;
 use crate::read::program::Bench;
 use crate::register::Fit;
 use crate::reschedule::{self, RescheduleOptions, Rescheduled, StretchReport};
+use crate::run::manifest::Clock;
 use crate::run::{RunFolder, inputs};
 use crate::verify::audit::AuditOptions;
 use crate::write::draw;
@@ -25,12 +26,14 @@ const TOLD: usize = 12;
 /// Runs the verb; the exit code.
 pub fn run(args: &Reschedule, quiet: bool) -> Result<u8> {
     let terminal = Terminal::new(quiet);
-    let ended = rescheduled(args, &terminal);
+    let clock = Clock::new(&terminal);
+    let ended = rescheduled(args, &clock);
     terminal.finish();
     let (made, fit, why) = ended?;
     sayln!("program    {}: {why}", args.program.display());
     fit.iter().for_each(fit::tell);
     tell(&made);
+    told_times(&clock);
     Ok(0)
 }
 
@@ -47,7 +50,8 @@ fn rescheduled(args: &Reschedule, observer: &dyn Observer) -> Result<(Reschedule
     let mut folder = RunFolder::begin(&args.out)?;
     let tool = inputs::tool(&args.tool)?;
     let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| inputs::machine(f))?;
-    let blade = model::load(&args.part, &inspect::reading(&args.reading), observer)?;
+    let load = || model::load(&args.part, &inspect::reading(&args.reading), observer);
+    let blade = timed(observer, Stage::Model, load)?;
     let zero = theirs::zero(&args.manner, &blade);
     let mut benches = [Bench { language, zero, tool: &tool, machine: &machine }];
     let fit = fit::place((&args.manner, args.stock), &text.lines, &mut benches, &blade, observer)?;
@@ -107,6 +111,19 @@ fn title(stretch: &StretchReport) -> String {
     let [first, last] = stretch.new_lines.unwrap_or(stretch.lines);
     let time = stretch.time_s.map_or_else(String::new, |[a, b]| format!(", {a:.2} s before, {b:.2} s after"));
     format!("Lines {first} to {last}{time}")
+}
+
+/// How long the work took, by stage.
+fn told_times(clock: &Clock) {
+    let mut took: Vec<(Stage, f64)> = Vec::new();
+    for record in clock.records() {
+        match took.iter_mut().find(|(stage, _)| *stage == record.stage) {
+            Some((_, seconds)) => *seconds += record.seconds,
+            None => took.push((record.stage, record.seconds)),
+        }
+    }
+    let took: Vec<String> = took.iter().map(|(stage, seconds)| format!("{stage} {seconds:.1} s")).collect();
+    sayln!("work       {}", took.join(", "));
 }
 
 /// What became of the program, as lines.

@@ -32,6 +32,7 @@
 mod manner;
 mod planned;
 mod rewrite;
+mod sparse;
 mod stretches;
 #[cfg(test)]
 mod tests;
@@ -192,9 +193,9 @@ pub fn reschedule(
     validate(options)?;
     bench.tool.validate()?;
     bench.tool.ball_only("programs are scheduled anew")?;
-    let program = Program::read(text, bench)?;
+    let program = timed(observer, Stage::Path, || Program::read(text, bench))?;
     one_ball(&program)?;
-    let places = stretches::places(&program, &blade.part);
+    let places = timed(observer, Stage::Path, || stretches::places(&program, &blade.part));
     let radius_mm = bench.tool.radius_mm;
     let stock_mm = options.stock_mm.unwrap_or_else(|| stretches::stock_mm(&places, radius_mm, options.contact_mm));
     // Balls stay where they are, and so do the ridges between them.
@@ -216,15 +217,16 @@ pub fn reschedule(
         planned.push(scene.plan(stretch, &clearances)?);
     }
     observer.progress(Stage::Schedule, found.len(), found.len());
-    let Made { edits, reports, rounding_mm } = made(&program, &found, planned, options);
+    let Made { edits, reports, rounding_mm } =
+        timed(observer, Stage::Post, || made(&program, &found, planned, options));
     if reports.iter().all(|r| r.new_lines.is_none()) {
         return Err(none_gains(&reports));
     }
-    let (new_text, numbers) = edits.applied(text, bench.language.grammar);
-    let new = Program::read(&new_text, bench)
+    let (new_text, numbers) = timed(observer, Stage::Post, || edits.applied(text, bench.language.grammar));
+    let new = timed(observer, Stage::Path, || Program::read(&new_text, bench))
         .map_err(|e| Error::usage(Stage::Post, format!("the new program is not read: {}", e.message)))?;
     let stays = Stays { old: &program, new: &new, numbers: &numbers, limit_mm: rounding_mm };
-    let centre_off_mm = stays.checked(&found, &reports)?;
+    let centre_off_mm = timed(observer, Stage::Path, || stays.checked(&found, &reports))?;
     let after = timed(observer, Stage::Verify, || audit::audit(&new_text, blade, bench, &audit, observer))?;
     no_new_findings(&before, &after)?;
     let [lines_changed, lines_added] = edits.count();

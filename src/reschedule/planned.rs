@@ -1,13 +1,13 @@
 //! A stretch scheduled anew: channel, schedule and time.
 
 use super::stretches::{FEWEST, Found, Place};
-use super::{Keeping, Program, RescheduleOptions, time};
+use super::{Keeping, Program, RescheduleOptions, sparse, time};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CutterLocation, PathKind, Turn};
-use crate::artifact::{AxisMotion, Blade, Channel, Cones, Schedule, Stand, Toolpath};
+use crate::artifact::{AxisMotion, Blade, Channel, Cone, Cones, Schedule, Toolpath};
 use crate::channel::{self, ChannelOptions, ChannelSettings, Surroundings};
 use crate::error::{EndReason, Error, ErrorKind, Infeasible, Result, Stage};
-use crate::geometry::Vector;
+use crate::geometry::{Point, Vector};
 use crate::numerics::angle::{nearest_turn, within_half_turn};
 use crate::observe::{Observer, Silent, timed};
 use crate::parallel;
@@ -112,12 +112,14 @@ impl Scene<'_> {
         let [first, last] = if whole.backwards { [count - 1 - to, count - 1 - from] } else { [from, to] };
         let is_whole = from == 0 && to + 1 == count;
         let course = if is_whole { whole } else { self.course(found, [first, last]) };
-        let mut channel = if is_whole { channel } else { self.channel(&course.path, settings, &[])? };
+        let anew = |prove_at: &[usize]| {
+            timed(self.observer, Stage::Channel, || self.channel(&course.path, settings, prove_at))
+        };
+        let mut channel = if is_whole { channel } else { anew(&[])? };
         let places = found.places.get(first..=last).unwrap_or_default();
         let mut prove_at = Vec::new();
         for _ in 0..MOST_PROOFS {
-            let (schedule, motions) =
-                timed(self.observer, Stage::Schedule, || self.fastest(&course, &channel, ends, places))?;
+            let (schedule, motions) = self.fastest(&course, &channel, ends, places)?;
             let short = timed(self.observer, Stage::Channel, || Ok(self.short(&course.path, &schedule, keeping)))?;
             if short.is_empty() {
                 let clearance_mm = [settings.clearance_mm, settings.holder_clearance_mm];
@@ -126,7 +128,7 @@ impl Scene<'_> {
             prove_at.extend(short);
             prove_at.sort_unstable();
             prove_at.dedup();
-            channel = self.channel(&course.path, settings, &prove_at)?;
+            channel = anew(&prove_at)?;
         }
         Ok(Err("between its lines the tool would come too near to the part".into()))
     }
@@ -227,29 +229,36 @@ impl Scene<'_> {
         let own = super::speeds(places);
         let asked = self.options.feed_mm_min.map_or_else(|| own.clone(), |feed| vec![feed / 60.0; own.len()]);
         let most_mm_min = 60.0 * asked.iter().fold(0.0f64, |m, v| m.max(*v));
-        let motion = |stands: Vec<Stand>, speeds_mm_s: &[f64], limit_jerk: bool| {
-            let way = time::Way { stands, speeds_mm_s };
-            time::motion(&way, bench.tool, bench.machine, self.options.chord_mm, limit_jerk)
-        };
+        let on_machine = (bench.tool, bench.machine);
+        let centres: Vec<Point> = places.iter().map(|p| p.stand.centre).collect();
+        let centres = timed(self.observer, Stage::Feed, || time::Centres::of(&centres));
         let moved = |schedule: &Schedule, limit_jerk: bool| {
-            let mut stands: Vec<Stand> = path.stands(&schedule.theta).collect();
+            let mut theta = schedule.theta.clone();
+            let mut cones: Vec<Cone> = (0..theta.len()).map(|row| path.cone(row)).collect();
             if course.backwards {
-                stands.reverse();
+                theta.reverse();
+                cones.reverse();
             }
-            motion(stands, &asked, limit_jerk)
+            let way = time::Way { theta, cones, speeds_mm_s: &asked };
+            time::motion(&centres, &way, on_machine, self.options.chord_mm, limit_jerk)
         };
         // Where one has nearly the least time that the speeds allow, no other is made.
         let steps = places.windows(2).map(|w| (w[1].stand.centre - w[0].stand.centre).norm());
         let least_s: f64 = steps.zip(&asked).map(|(mm, speed)| mm / speed).sum();
         let is_enough = |s: &Schedule| moved(s, false).is_ok_and(|motion| motion.time_s <= (1.0 + ENOUGH) * least_s);
-        let made = self.schedules(path, channel, ends, most_mm_min, &is_enough)?;
+        let schedules = || self.schedules(course, channel, ends, most_mm_min, &is_enough);
+        let made = timed(self.observer, Stage::Schedule, schedules)?;
         // Jerk is dear: the few that are fastest without it are looked at with it.
         let rough = |schedule: Schedule| Ok((moved(&schedule, false)?.time_s, schedule));
-        let mut made = parallel::try_map(made, rough)?;
+        let mut made = timed(self.observer, Stage::Feed, || parallel::try_map(made, rough))?;
         made.sort_by(|a, b| a.0.total_cmp(&b.0));
         made.truncate(CLOSELY);
         let closely = |(_, schedule): (f64, Schedule)| Ok((moved(&schedule, true)?, schedule));
-        let before = || motion(places.iter().map(|p| p.stand).collect(), &own, true);
+        let before = || {
+            let (theta, cones) = places.iter().map(|p| (p.stand.theta, p.stand.cone)).unzip();
+            let way = time::Way { theta, cones, speeds_mm_s: &own };
+            time::motion(&centres, &way, on_machine, self.options.chord_mm, true)
+        };
         let all = || parallel::try_map(made, closely);
         let (before, made) = timed(self.observer, Stage::Feed, || parallel::both(before, all));
         let best = made?.into_iter().min_by(|a, b| a.0.time_s.total_cmp(&b.0.time_s));
@@ -260,9 +269,30 @@ impl Scene<'_> {
         Ok((schedule, [before?, after]))
     }
 
-    /// Schedules within the channel, from end to end; of kind `time` the first alone where that is
-    /// fast enough.
+    /// Schedules within the channel, from end to end. A long course is scheduled at some of its
+    /// places, or where that makes none at all of them.
     fn schedules(
+        &self,
+        course: &Course,
+        channel: &Channel,
+        ends: [f64; 2],
+        most_mm_min: f64,
+        is_enough: &(dyn Fn(&Schedule) -> bool + Sync),
+    ) -> Result<Vec<Schedule>> {
+        let path = &course.path;
+        let Some((few, walls)) = sparse::course(path, channel) else {
+            return self.schedules_at(path, channel, ends, most_mm_min, is_enough);
+        };
+        let is_enough_at_all = |s: &Schedule| is_enough(&sparse::at_all(s.clone(), path));
+        match self.schedules_at(&few, &walls, ends, most_mm_min, &is_enough_at_all) {
+            Ok(made) if !made.is_empty() => Ok(parallel::map(made, |s| sparse::at_all(s, path))),
+            Err(e) if e.kind != ErrorKind::Infeasible => Err(e),
+            _ => self.schedules_at(path, channel, ends, most_mm_min, is_enough),
+        }
+    }
+
+    /// Schedules at the places of a path; of kind `time` the first alone where that is fast enough.
+    fn schedules_at(
         &self,
         path: &Toolpath,
         channel: &Channel,

@@ -1,0 +1,183 @@
+//! A long course at some of its places: what schedules are made on.
+//!
+//! Programs have places as near to one another as their chords ask for. A schedule bends over
+//! longer ways, and making one takes more than its share of time where there are many places. The
+//! walls at the places that are kept are moved inwards by what the walls between stand out of the
+//! straight lines from one to the next, so that a curve within them is within all walls.
+
+use crate::artifact::channel::ChannelRow;
+use crate::artifact::toolpath::Turn;
+use crate::artifact::{Channel, Cones, Schedule, Toolpath};
+
+/// Courses of no more places are taken as they are.
+const MOST: usize = 30_000;
+/// So many places at either end are all kept: there θ is given.
+const AT_ENDS: usize = 8;
+
+/// The course at some of its places; `None` where it has few, or where θ may turn back.
+pub(super) fn course(path: &Toolpath, channel: &Channel) -> Option<(Toolpath, Channel)> {
+    let n = path.locations.len();
+    if n <= MOST || n != channel.rows.len() || !channel.sweep.is_round() {
+        return None;
+    }
+    let kept = kept(n);
+    let locations: Vec<_> = kept.iter().map(|k| path.locations[*k]).collect();
+    let cones = match path.cones {
+        Cones::Same(_) => path.cones.clone(),
+        Cones::Each(_) => Cones::along(kept.iter().map(|k| path.cone(*k)).collect()),
+    };
+    let mut turns: Vec<Turn> = Vec::new();
+    let mut open = None;
+    for (k, location) in locations.iter().enumerate() {
+        if open != Some(location.turn) {
+            open = Some(location.turn);
+            let length_mm = path.turns.get(location.turn as usize).map_or(0.0, |t| t.length_mm);
+            turns.push(Turn { first: k, count: 0, length_mm });
+        }
+        if let Some(turn) = turns.last_mut() {
+            turn.count += 1;
+        }
+    }
+    // Every turn keeps one of its places: else turns would be counted wrongly.
+    if turns.len() != path.turns.len() {
+        return None;
+    }
+    let rows = rows(path, channel, &kept);
+    if rows.iter().any(|r| r.hull_min > r.hull_max) {
+        return None;
+    }
+    let width = |row: &ChannelRow| row.hull_max - row.hull_min;
+    let narrowest = rows.iter().enumerate().min_by(|a, b| width(a.1).total_cmp(&width(b.1)));
+    let narrowest_row = narrowest.map_or(0, |(row, _)| row);
+    let channel = Channel { narrowest_row, proven_at: Vec::new(), rows, ..channel.clone() };
+    Some((Toolpath { locations, cones, turns, ..path.clone() }, channel))
+}
+
+/// A schedule of some of the places, with its angles at all.
+pub(super) fn at_all(schedule: Schedule, path: &Toolpath) -> Schedule {
+    let theta = path.locations.iter().map(|l| schedule.curve_at(l.s_mm).unwrap_or(f64::NAN)).collect();
+    Schedule { theta, ..schedule }
+}
+
+/// Indices of the places that are kept.
+fn kept(n: usize) -> Vec<usize> {
+    let every = n.div_ceil(MOST);
+    (0..n).filter(|k| k % every == 0 || *k < AT_ENDS || k + AT_ENDS >= n).collect()
+}
+
+/// The walls at the places that are kept.
+fn rows(path: &Toolpath, channel: &Channel, kept: &[usize]) -> Vec<ChannelRow> {
+    let s = |k: usize| path.locations[k].s_mm;
+    let row = |k: usize| &channel.rows[k];
+    let stands_out = |w: &[usize]| {
+        let (a, b) = (w[0], w[1]);
+        let mut out = [0.0f64; 2];
+        for k in a + 1..b {
+            let share = (s(k) - s(a)) / (s(b) - s(a));
+            let line = |from: f64, to: f64| from + share * (to - from);
+            out[0] = out[0].max(row(k).hull_min - line(row(a).hull_min, row(b).hull_min));
+            out[1] = out[1].max(line(row(a).hull_max, row(b).hull_max) - row(k).hull_max);
+        }
+        out
+    };
+    let beside: Vec<[f64; 2]> = kept.windows(2).map(stands_out).collect();
+    let of = |side: usize, i: usize| {
+        let at = |i: Option<usize>| i.and_then(|i| beside.get(i)).map_or(0.0, |b| b[side]);
+        at(i.checked_sub(1)).max(at(Some(i)))
+    };
+    let mut rows: Vec<ChannelRow> = kept.iter().map(|k| row(*k).clone()).collect();
+    // Walls never fall.
+    let mut most = f64::NEG_INFINITY;
+    for (i, row) in rows.iter_mut().enumerate() {
+        most = most.max(row.hull_min + of(0, i));
+        row.hull_min = most;
+    }
+    let mut least = f64::INFINITY;
+    for (i, row) in rows.iter_mut().enumerate().rev() {
+        least = least.min(row.hull_max - of(1, i));
+        row.hull_max = least;
+    }
+    rows
+}
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::artifact::channel::Binding;
+    use crate::artifact::schedule::ScheduleKind;
+    use crate::observe::Silent;
+    use crate::sample;
+    use crate::schedule::{self, ScheduleOptions};
+
+    /// Walls that rise unevenly, a radian apart.
+    fn walls(count: usize, step: f64) -> Channel {
+        let row = |k: usize| {
+            let lo = k as f64 * step + 0.05 * (k as f64 / 37.0).sin();
+            let hi = lo + 1.0;
+            ChannelRow {
+                theta_min: lo,
+                theta_max: hi,
+                hull_min: lo,
+                hull_max: hi,
+                tangent_min: lo,
+                tangent_max: hi,
+                binds_min: Binding::Free,
+                binds_max: Binding::Free,
+            }
+        };
+        let rows = (0..count).map(row).collect();
+        let sweep = Default::default();
+        Channel { tolerance_rad: 1e-6, rows, narrowest_row: 0, chains: 1, proven_at: Vec::new(), sweep }
+    }
+
+    #[test]
+    fn walls_between_places_that_are_left_out_hold() {
+        let path = sample::plan(70, 1000).toolpath;
+        let n = path.locations.len();
+        let all = walls(n, std::f64::consts::TAU / 1000.0);
+        let (few, walls) = course(&path, &all).unwrap();
+        assert!(few.locations.len() < n / 2 && few.locations.len() == walls.rows.len());
+        assert_eq!(few.turns.len(), path.turns.len());
+        assert_eq!(few.turns.iter().map(|t| t.count).sum::<usize>(), few.locations.len());
+        let mut k = 0;
+        for (at, row) in path.locations.iter().zip(&all.rows) {
+            while few.locations[k + 1].s_mm < at.s_mm {
+                k += 1;
+            }
+            let [a, b] = [k, k + 1].map(|k| &few.locations[k]);
+            let share = (at.s_mm - a.s_mm) / (b.s_mm - a.s_mm);
+            let line = |of: fn(&ChannelRow) -> f64| {
+                let [a, b] = [k, k + 1].map(|k| of(&walls.rows[k]));
+                a + share * (b - a)
+            };
+            let [lo, hi] = [line(|r| r.hull_min) - row.hull_min, row.hull_max - line(|r| r.hull_max)];
+            assert!((-1e-9..1e-3).contains(&lo) && (-1e-9..1e-3).contains(&hi), "{lo} {hi}");
+        }
+        // A schedule within them is within all.
+        let ends = [0.4, all.rows[n - 1].hull_min + 0.6];
+        let options = ScheduleOptions { ends_rad: Some(ends), ..ScheduleOptions::default() };
+        let made = schedule::plan(ScheduleKind::Optimal, &few, &walls, &options, &Silent).unwrap();
+        let theta = at_all(made, &path).theta;
+        assert_eq!(theta.len(), n);
+        assert!((theta[0] - ends[0]).abs() < 1e-9 && (theta[n - 1] - ends[1]).abs() < 1e-9);
+        let inside = theta.iter().zip(&all.rows).all(|(t, r)| (r.hull_min..=r.hull_max).contains(t));
+        assert!(inside && theta.windows(2).all(|w| w[0] <= w[1]));
+    }
+
+    #[test]
+    fn short_courses_and_those_that_turn_back_stay_whole() {
+        let path = sample::plan(3, 1000).toolpath;
+        assert!(course(&path, &walls(path.locations.len(), 0.006)).is_none());
+        let path = sample::plan(70, 1000).toolpath;
+        let mut channel = walls(path.locations.len(), 0.006);
+        channel.sweep = crate::artifact::channel::Sweep::Follow;
+        assert!(course(&path, &channel).is_none());
+    }
+
+    #[test]
+    fn places_are_kept_at_both_ends() {
+        let kept = kept(100_001);
+        assert!(kept.len() < MOST + 3 * AT_ENDS && kept.starts_with(&[0, 1, 2]) && kept.ends_with(&[99_999, 100_000]));
+        assert!(kept.windows(2).all(|w| w[0] < w[1]));
+    }
+}
