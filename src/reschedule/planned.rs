@@ -119,13 +119,14 @@ impl Scene<'_> {
         let places = found.places.get(first..=last).unwrap_or_default();
         let mut prove_at = Vec::new();
         for _ in 0..MOST_PROOFS {
-            let (schedule, motions) = self.fastest(&course, &channel, ends, places)?;
-            let short = timed(self.observer, Stage::Channel, || Ok(self.short(&course.path, &schedule, keeping)))?;
-            if short.is_empty() {
-                let clearance_mm = [settings.clearance_mm, settings.holder_clearance_mm];
-                return Ok(Ok(Planned { course, channel, schedule, first, motions, clearance_mm }));
+            let short = |schedule: &Schedule| self.short(&course.path, schedule, keeping);
+            match self.fastest(&course, &channel, ends, places, &short)? {
+                Ok((schedule, motions)) => {
+                    let clearance_mm = [settings.clearance_mm, settings.holder_clearance_mm];
+                    return Ok(Ok(Planned { course, channel, schedule, first, motions, clearance_mm }));
+                }
+                Err(short) => prove_at.extend(short),
             }
-            prove_at.extend(short);
             prove_at.sort_unstable();
             prove_at.dedup();
             channel = anew(&prove_at)?;
@@ -217,14 +218,16 @@ impl Scene<'_> {
     }
 
     /// The fastest of the schedules that are made for the kind that is asked for, with the motion
-    /// of the program's own places and its own.
+    /// of the program's own places and its own. `Err`: moves of the one that is fastest but for
+    /// jerk on which the tool comes nearer than it may, as `short` has them.
     fn fastest(
         &self,
         course: &Course,
         channel: &Channel,
         ends: [f64; 2],
         places: &[Place],
-    ) -> Result<(Schedule, [AxisMotion; 2])> {
+        short: &(dyn Fn(&Schedule) -> Vec<usize> + Sync),
+    ) -> Result<std::result::Result<(Schedule, [AxisMotion; 2]), Vec<usize>>> {
         let (path, bench) = (&course.path, self.program.bench);
         let own = super::speeds(places);
         let asked = self.options.feed_mm_min.map_or_else(|| own.clone(), |feed| vec![feed / 60.0; own.len()]);
@@ -248,11 +251,18 @@ impl Scene<'_> {
         let is_enough = |s: &Schedule| moved(s, false).is_ok_and(|motion| motion.time_s <= (1.0 + ENOUGH) * least_s);
         let schedules = || self.schedules(course, channel, ends, most_mm_min, &is_enough);
         let made = timed(self.observer, Stage::Schedule, schedules)?;
-        // Jerk is dear: the few that are fastest without it are looked at with it.
+        // Jerk is dear: the few that are fastest without it are looked at with it, where they keep
+        // clear.
         let rough = |schedule: Schedule| Ok((moved(&schedule, false)?.time_s, schedule));
         let mut made = timed(self.observer, Stage::Feed, || parallel::try_map(made, rough))?;
         made.sort_by(|a, b| a.0.total_cmp(&b.0));
         made.truncate(CLOSELY);
+        let shorts = timed(self.observer, Stage::Channel, || parallel::map(&made, |(_, schedule)| short(schedule)));
+        if let Some(first) = shorts.first().filter(|s| !s.is_empty()) {
+            return Ok(Err(first.clone()));
+        }
+        let made: Vec<(f64, Schedule)> =
+            made.into_iter().zip(shorts).filter(|(_, short)| short.is_empty()).map(|(one, _)| one).collect();
         let closely = |(_, schedule): (f64, Schedule)| Ok((moved(&schedule, true)?, schedule));
         let before = || {
             let (theta, cones) = places.iter().map(|p| (p.stand.theta, p.stand.cone)).unzip();
@@ -266,7 +276,7 @@ impl Scene<'_> {
             let message = "no schedule of the kind begins and ends at the program's angles within the channel";
             return Err(Error::infeasible(Stage::Schedule, message, Infeasible::NoSchedules));
         };
-        Ok((schedule, [before?, after]))
+        Ok(Ok((schedule, [before?, after])))
     }
 
     /// Schedules within the channel, from end to end. A long course is scheduled at some of its
