@@ -17,9 +17,10 @@ use std::time::Instant;
 
 use bladewright::artifact::blade::{Diagnosis, Unit};
 use bladewright::artifact::region::Regions;
-use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind, Toolpath, Turn};
+use bladewright::artifact::toolpath::{CutterLocation, PathKind, Toolpath, Turn};
 use bladewright::artifact::{Blade, Cone, Cones};
 use bladewright::channel::{ChannelOptions, FreeInterval, Surroundings, intervals, plan_among};
+use bladewright::error::EndReason;
 use bladewright::geometry::mesh::Mesh;
 use bladewright::geometry::part::Part;
 use bladewright::geometry::{Point, Rigid, Vector};

@@ -19,9 +19,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use bladewright::artifact::schedule::{Measure, ScheduleKind};
-use bladewright::artifact::toolpath::{CutterLocation, EndReason, PathKind};
+use bladewright::artifact::toolpath::{CutterLocation, PathKind};
 use bladewright::artifact::{AxisMotion, Cones, Schedule, Toolpath};
 use bladewright::channel::{self, ChannelOptions};
+use bladewright::error::EndReason;
 use bladewright::feed::{self, FeedOptions};
 use bladewright::geometry::{Point, Vector};
 use bladewright::machine::Machine;

@@ -129,7 +129,7 @@ struct Helix {
 /// What became of turns that are laid up from an end.
 enum Up {
     /// A path, and what ends it.
-    Laid(Toolpath, Stopped),
+    Laid(Box<Toolpath>, Stopped),
     /// None; where the surface was lost.
     Lost(Option<Point>),
 }
@@ -190,7 +190,7 @@ impl<'a> Laying<'a> {
             let search = self.search(coarser * scallop_mm);
             down = search.find_end(&ring, open, &|x| self.progress(0.0, 300.0, self.start_x - x))?;
             match self.laid_up(&search, &down, k + 1 == tries.len())? {
-                Up::Laid(path, ended_by) => return Ok(Helix { path, is_from_end: true, ended_by }),
+                Up::Laid(path, ended_by) => return Ok(Helix { path: *path, is_from_end: true, ended_by }),
                 Up::Lost(at) => lost_on_the_way_up = at.or(lost_on_the_way_up),
             }
         }
@@ -266,7 +266,7 @@ impl<'a> Laying<'a> {
                 laid.turns.iter().rev().map(|t| t.iter().rev().map(|n| n.touch).collect()).collect();
             match finish(self.level, self.options, &reversed, reason.clone(), self.observer) {
                 Err(e) if e.kind == ErrorKind::Infeasible => {}
-                done => return done.map(|path| Up::Laid(path, ended_by)),
+                done => return done.map(|path| Up::Laid(Box::new(path), ended_by)),
             }
         }
         Ok(Up::Lost(lost))

@@ -52,6 +52,10 @@ impl Planned {
     }
 }
 
+/// The fastest schedule, with the motion before and after; or after which places the tool would come
+/// too near to the part with it.
+type Fastest = std::result::Result<(Schedule, [AxisMotion; 2]), Vec<usize>>;
+
 /// What is in the tool's way, indexed once: coarsely, and by exact faces.
 pub(super) struct Arounds<'a> {
     usual: Surroundings<'a>,
@@ -227,7 +231,7 @@ impl Scene<'_> {
         ends: [f64; 2],
         places: &[Place],
         short: &(dyn Fn(&Schedule) -> Vec<usize> + Sync),
-    ) -> Result<std::result::Result<(Schedule, [AxisMotion; 2]), Vec<usize>>> {
+    ) -> Result<Fastest> {
         let (path, bench) = (&course.path, self.program.bench);
         let own = super::speeds(places);
         let asked = self.options.feed_mm_min.map_or_else(|| own.clone(), |feed| vec![feed / 60.0; own.len()]);
