@@ -52,8 +52,8 @@ impl Planned {
     }
 }
 
-/// The fastest schedule, with the motion before and after; or after which places the tool would come
-/// too near to the part with it.
+/// The fastest schedule, with the motion before and after; or after which places the tool would
+/// come too near to the part with it.
 type Fastest = std::result::Result<(Schedule, [AxisMotion; 2]), Vec<usize>>;
 
 /// What is in the tool's way, indexed once: coarsely, and by exact faces.
