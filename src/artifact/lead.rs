@@ -25,8 +25,13 @@ pub struct Lead {
 
 impl Lead {
     /// Straight along the tool axis, and why.
-    pub fn straight(reason: LeadReason) -> Self {
-        Lead { reason: Some(reason), ..Lead::default() }
+    pub fn straight(reason: impl Into<Option<LeadReason>>) -> Self {
+        Lead { reason: reason.into(), ..Lead::default() }
+    }
+
+    /// The reason behind a colon; empty where there is nothing to say.
+    pub fn why(&self) -> String {
+        self.reason.as_ref().map_or_else(String::new, |why| format!(": {why}"))
     }
 
     /// There is an arc.

@@ -35,6 +35,14 @@ pub struct Spot {
     pub point_mm: [f64; 3],
 }
 
+impl Spot {
+    /// The point of the model with its height along the blade axis, in words.
+    pub fn at_height(&self, height_mm: f64) -> String {
+        let [x, y, z] = self.point_mm;
+        format!("height {height_mm:.3} mm, model point ({x:.3}, {y:.3}, {z:.3})")
+    }
+}
+
 /// A place along the tool path, where the model is not known.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Along {

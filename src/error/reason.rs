@@ -54,7 +54,7 @@ pub struct SurfaceEnd {
 
 impl fmt::Display for SurfaceEnd {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (most_deg, [x, y, z]) = (self.max_lean_deg, self.at.point_mm);
+        let most_deg = self.max_lean_deg;
         match self.by {
             Stopped::WallLeans => write!(f, "the wall leans over more than {most_deg:.0}° from the blade axis"),
             Stopped::Rim => f.write_str("the airfoil ends there, without a platform,"),
@@ -76,7 +76,7 @@ impl fmt::Display for SurfaceEnd {
             Stopped::NoNearer => f.write_str("turns come no nearer to the end of the region"),
             Stopped::Region => f.write_str("the region ends"),
         }?;
-        write!(f, " at height {:.3} mm, model point ({x:.3}, {y:.3}, {z:.3})", self.height_mm)
+        write!(f, " at {}", self.at.at_height(self.height_mm))
     }
 }
 

@@ -179,7 +179,7 @@ pub fn for_schedule(leads: &[Lead; 2], path: &Toolpath, schedule: &Schedule) -> 
             let theta = angles(&tip, end, lead.radius_mm * lead.angle_rad, &lead.centres);
             Lead { theta, motion: AxisMotion::default(), ..lead.clone() }
         }
-        _ => Lead { reason: lead.reason.clone(), ..Lead::default() },
+        _ => Lead::straight(lead.reason.clone()),
     };
     [one(&leads[0], End::In), one(&leads[1], End::Out)]
 }

@@ -295,8 +295,7 @@ fn validate_extent(blade: &Blade, o: &PathOptions) -> Result<()> {
 
 /// A point of the blade frame in words, with its place in the model.
 fn place(blade: &Blade, p: &Point) -> String {
-    let [x, y, z] = spot(blade, p).point_mm;
-    format!("height {:.3} mm, model point ({x:.3}, {y:.3}, {z:.3})", p.x)
+    spot(blade, p).at_height(p.x)
 }
 
 /// A point of the blade frame in the model.

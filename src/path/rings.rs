@@ -152,12 +152,12 @@ fn stopped(blade: &Blade, broken: &Broken, options: &PathOptions) -> SurfaceEnd 
 /// The ring at the start height, beginning at its base point.
 pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: f64, how: &Tracing) -> Result<Ring> {
     let (airfoil, others) = seed::contour(blade, region(blade, options)?, x_mm)?;
-    let none = |by: Stopped, at: Option<&Point>| Infeasible::NoTurnRound {
+    let none = |by: Stopped, at: Option<Spot>| Infeasible::NoTurnRound {
         height_mm: x_mm,
         radius_mm: level.radius_mm,
         max_lean_deg: options.settings.max_lean_deg,
         by,
-        at: at.map(|p| spot(blade, p)),
+        at,
     };
     let too_tight = |why: String, since: Infeasible| {
         Error::infeasible(
@@ -171,22 +171,21 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
         too_tight("other parts of the blade are in the way all round".into(), none(Stopped::OtherParts, None))
     })?;
     let ring = ring::trace(level, touch, how).map_err(|b| {
-        let by = stopped(blade, &b, options).by;
+        let end = stopped(blade, &b, options);
+        let since = none(end.by, Some(end.at.clone()));
         match &b {
             // No ball stands up a wall that leans.
-            Broken::Leans(p) | Broken::Rim(p) => Error::infeasible(
-                Stage::Path,
-                format!("no turn goes round the airfoil at height {x_mm:.3} mm: {}", stopped(blade, &b, options)),
-                none(by, Some(p)),
-            )
-            .advise("look with `inspect` whether this is the airfoil and its axis (--axis), or begin elsewhere with region.start_mm"),
-            Broken::Lost(p) | Broken::Open(p) => too_tight(format!("its path is blocked at {}", place(blade, p)), none(by, Some(p))),
+            Broken::Leans(_) | Broken::Rim(_) => {
+                Error::infeasible(Stage::Path, format!("no turn goes round the airfoil at height {x_mm:.3} mm: {end}"), since)
+                    .advise("look with `inspect` whether this is the airfoil and its axis (--axis), or begin elsewhere with region.start_mm")
+            }
+            Broken::Lost(p) | Broken::Open(p) => too_tight(format!("its path is blocked at {}", place(blade, p)), since),
         }
     })?;
     if let Some(p) = seed::touches_another_body(&ring, &airfoil, &others) {
         return Err(too_tight(
             format!("it touches another body at {}", place(blade, &p)),
-            none(Stopped::OtherBody, Some(&p)),
+            none(Stopped::OtherBody, Some(spot(blade, &p))),
         ));
     }
     let base = base_point(&ring, options.start_near.map(Point::from));

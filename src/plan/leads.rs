@@ -65,7 +65,7 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
     let room = room(setup, &left.toolpath, &verify);
     let arc = one(&left.toolpath, &left.schedule, End::In, setup.job.feed.lead_radius_mm, &room);
     let mut missed: Vec<Missed> = Vec::new();
-    let straight = Lead { reason: left.leads[0].reason.clone(), ..Lead::default() };
+    let straight = Lead::straight(left.leads[0].reason.clone());
     for lead in [arc.is_arc().then_some(arc), Some(straight)].into_iter().flatten() {
         let mut left = left.clone();
         let leads = [lead, left.leads[1].clone()];

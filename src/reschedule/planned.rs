@@ -297,12 +297,13 @@ impl Scene<'_> {
         let Some((few, walls)) = sparse::course(path, channel) else {
             return self.schedules_at(path, channel, ends, most_mm_min, is_enough);
         };
-        let is_enough_at_all = |s: &Schedule| is_enough(&sparse::at_all(s.clone(), path));
-        match self.schedules_at(&few, &walls, ends, most_mm_min, &is_enough_at_all) {
-            Ok(made) if !made.is_empty() => Ok(parallel::map(made, |s| sparse::at_all(s, path))),
-            Err(e) if e.kind != ErrorKind::Infeasible => Err(e),
-            _ => self.schedules_at(path, channel, ends, most_mm_min, is_enough),
-        }
+        let at_all = |s: Schedule| sparse::at_all(s, path, channel);
+        let is_enough_at_all = |s: &Schedule| at_all(s.clone()).is_some_and(|s| is_enough(&s));
+        let made = match self.schedules_at(&few, &walls, ends, most_mm_min, &is_enough_at_all) {
+            Err(e) if e.kind != ErrorKind::Infeasible => return Err(e),
+            made => parallel::filter_map(made.unwrap_or_default(), at_all),
+        };
+        if made.is_empty() { self.schedules_at(path, channel, ends, most_mm_min, is_enough) } else { Ok(made) }
     }
 
     /// Schedules at the places of a path; of kind `time` the first alone where that is fast enough.

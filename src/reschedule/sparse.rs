@@ -13,6 +13,8 @@ use crate::artifact::{Channel, Cones, Schedule, Toolpath};
 const MOST: usize = 30_000;
 /// So many places at either end are all kept: there θ is given.
 const AT_ENDS: usize = 8;
+/// Angles that differ by less are the same, rad: rounding of a cubic is no turning back.
+const SAME_RAD: f64 = 1e-9;
 
 /// The course at some of its places; `None` where it has few, or where θ may turn back.
 pub(super) fn course(path: &Toolpath, channel: &Channel) -> Option<(Toolpath, Channel)> {
@@ -53,10 +55,14 @@ pub(super) fn course(path: &Toolpath, channel: &Channel) -> Option<(Toolpath, Ch
     Some((Toolpath { locations, cones, turns, ..path.clone() }, channel))
 }
 
-/// A schedule of some of the places, with its angles at all.
-pub(super) fn at_all(schedule: Schedule, path: &Toolpath) -> Schedule {
-    let theta = path.locations.iter().map(|l| schedule.curve_at(l.s_mm).unwrap_or(f64::NAN)).collect();
-    Schedule { theta, ..schedule }
+/// A schedule of some of the places, with its angles at all; `None` where it leaves the channel
+/// there or turns back.
+pub(super) fn at_all(schedule: Schedule, path: &Toolpath, channel: &Channel) -> Option<Schedule> {
+    let theta: Vec<f64> = path.locations.iter().map(|l| schedule.curve_at(l.s_mm)).collect::<Option<_>>()?;
+    let off = channel.tolerance_rad;
+    let inside = |(t, r): (&f64, &ChannelRow)| (r.theta_min - off..=r.theta_max + off).contains(t);
+    let keeps = theta.iter().zip(&channel.rows).all(inside) && theta.windows(2).all(|w| w[0] <= w[1] + SAME_RAD);
+    keeps.then_some(Schedule { theta, ..schedule })
 }
 
 /// Indices of the places that are kept.
@@ -99,6 +105,7 @@ fn rows(path: &Toolpath, channel: &Channel, kept: &[usize]) -> Vec<ChannelRow> {
     }
     rows
 }
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
@@ -157,11 +164,16 @@ mod tests {
         let ends = [0.4, all.rows[n - 1].hull_min + 0.6];
         let options = ScheduleOptions { ends_rad: Some(ends), ..ScheduleOptions::default() };
         let made = schedule::plan(ScheduleKind::Optimal, &few, &walls, &options, &Silent).unwrap();
-        let theta = at_all(made, &path).theta;
+        let theta = at_all(made.clone(), &path, &all).unwrap().theta;
         assert_eq!(theta.len(), n);
         assert!((theta[0] - ends[0]).abs() < 1e-9 && (theta[n - 1] - ends[1]).abs() < 1e-9);
         let inside = theta.iter().zip(&all.rows).all(|(t, r)| (r.hull_min..=r.hull_max).contains(t));
         assert!(inside && theta.windows(2).all(|w| w[0] <= w[1]));
+        // A wall at a place that was left out, which the others do not know of, is seen.
+        let out = (0..n).find(|k| few.locations.iter().all(|l| l.s_mm != path.locations[*k].s_mm)).unwrap();
+        let mut closer = all;
+        closer.rows[out].theta_max = theta[out] - 1e-3;
+        assert!(at_all(made, &path, &closer).is_none());
     }
 
     #[test]

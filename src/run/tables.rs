@@ -34,10 +34,7 @@ pub fn cutter_locations(blade: &Blade, plan: &Plan) -> String {
                 lead.angle_rad.to_degrees(),
                 lead.centres.len()
             ),
-            false => {
-                let why = lead.reason.as_ref().map_or_else(String::new, |why| format!(": {why}"));
-                writeln!(out, "# {name}: straight along the tool axis{why}")
-            }
+            false => writeln!(out, "# {name}: straight along the tool axis{}", lead.why()),
         };
     }
     out.push_str("turn,S,s,cx,cy,cz,px,py,pz,nx,ny,nz,ix,iy,iz,theta_deg,theta_min_deg,theta_max_deg,feed_mm_min\n");

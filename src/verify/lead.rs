@@ -103,7 +103,7 @@ fn beyond(part: &Part, from: &Point, axis: &Vector, radius_mm: f64) -> f64 {
     farthest + radius_mm + BEYOND_MM
 }
 
-/// What stands in the way of a lead to or from a location, in words; `None`: there is room: the
+/// What stands in the way of a lead to or from a location; `None`: there is room: the
 /// tool keeps the clearance that is asked for.
 pub fn obstructed(lead: &Lead, foot: Stand, inwards: bool, room: &Room) -> Option<InTheWay> {
     let way = LeadWay::new(lead, foot, inwards, room);

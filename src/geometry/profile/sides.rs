@@ -28,6 +28,9 @@ const NEAR: f64 = 0.25;
 /// … and where its chord is longer than that of the section beside it by no more than this factor,
 /// nor shorter.
 const LONGER: f64 = 1.25;
+/// The ends of a round section lie anywhere on it: it is the airfoil's where they lie within this
+/// share of the chord from the edges.
+const NEAR_IF_ROUND: f64 = 1.0;
 
 /// Leading and trailing edge of an airfoil along its span.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -109,7 +112,7 @@ impl Sides {
         let nearest = (0..loops.len()).min_by(|a, b| away[*a].total_cmp(&away[*b]));
         let [lo, hi] = self.x_mm();
         // A round section, as of a round root, has no ends of its own: it takes those beside it.
-        let most = |k: usize| if loops[k].roundness() < ROUND { NEAR } else { 1.0 };
+        let most = |k: usize| if loops[k].roundness() < ROUND { NEAR } else { NEAR_IF_ROUND };
         let own = nearest.filter(|k| (lo..=hi).contains(&x_mm) || away[*k] < most(*k));
         let [leading, trailing] = self.at(x_mm);
         let chord = [leading[0] - trailing[0], leading[1] - trailing[1]];

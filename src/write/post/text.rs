@@ -202,7 +202,7 @@ pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, line
         lines.comment(&format!("GOES ON with turn {turn}: the turns before it must have been cut"));
     }
     for (name, lead) in ["Lead-in ", "Lead-out"].into_iter().zip(&run.plan.leads) {
-        let why = lead.reason.as_ref().map_or_else(String::new, |why| format!(": {why}"));
+        let why = lead.why();
         lines.comment(&match lead.is_arc() {
             true => format!(
                 "{name} arc of radius {:.3} mm, {:.1} deg, tangential to the path{why}",
