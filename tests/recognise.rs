@@ -150,6 +150,46 @@ fn an_airfoil_of_deep_camber_has_its_axis_in_any_position() {
 }
 
 /// Two ways to see such a blade: along its middles, and square to its sections.
+/// An airfoil from height 0 on a platform of this size along x, y and down.
+fn on_a_platform(airfoil: &Airfoil, [wide, deep, thick]: [f64; 3]) -> Mesh {
+    let round = 2 * SIDE;
+    // From an airfoil's place straight out to the platform's side.
+    let out = |p: Point3<f64>, z: f64| {
+        let far = (0.5 * wide / p.x.abs().max(1e-9)).min(0.5 * deep / p.y.abs().max(1e-9));
+        Point3::new(far * p.x, far * p.y, z)
+    };
+    let foot = |k: usize| airfoil.point(0.0, k);
+    let mut points: Vec<Point3<f64>> = (0..round).map(|k| out(foot(k), -thick)).collect();
+    points.extend((0..round).map(|k| out(foot(k), 0.0)));
+    for h in 0..HEIGHTS {
+        points.extend((0..round).map(|k| airfoil.point(h as f64 / (HEIGHTS - 1) as f64, k)));
+    }
+    let rings = points.len() / round;
+    let ring = |h: usize, k: usize| h * round + k % round;
+    let mut triangles: Vec<[usize; 3]> = (1..rings)
+        .flat_map(|h| (0..round).map(move |k| (h - 1, h, k)))
+        .flat_map(|(a, b, k)| [[ring(a, k + 1), ring(a, k), ring(b, k)], [ring(a, k + 1), ring(b, k), ring(b, k + 1)]])
+        .collect();
+    // Strips between both sides close bottom and tip.
+    for (h, top) in [(0, false), (rings - 1, true)] {
+        for k in 0..SIDE {
+            let (a, b, c, d) = (ring(h, k), ring(h, k + 1), ring(h, 2 * SIDE - k - 1), ring(h, 2 * SIDE - k));
+            for t in [[a, b, c], [a, c, d]].into_iter().filter(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) {
+                triangles.push(if top { [t[0], t[2], t[1]] } else { t });
+            }
+        }
+    }
+    (points, triangles)
+}
+
+#[test]
+fn a_low_blade_on_a_wide_platform_has_its_axis_in_any_position() {
+    let low = Airfoil { foot: 0.0, span: 34.0, chord: 30.0, twist_deg: 25.0, camber: 0.03, ..PLAIN };
+    for platform in [[46.0, 40.0, 8.0], [40.0, 36.0, 14.0], [60.0, 30.0, 5.0]] {
+        stays_with(&on_a_platform(&low, platform), 6.0, false);
+    }
+}
+
 #[test]
 fn a_blade_that_leans_by_half_a_right_angle_is_told_to_be_uncertain() {
     let mesh = Airfoil { lean_deg: 45.0, span: 60.0, ..PLAIN }.mesh();

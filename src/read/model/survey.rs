@@ -16,7 +16,7 @@ use super::recognise::areas::areas;
 use super::recognise::pieces::pieces;
 use super::recognise::sector;
 use super::recognise::wheel::{self, Wheel};
-use super::recognise::{self, Recognised};
+use super::recognise::{self, Known, Recognised};
 use super::rescue;
 use super::soup::Soup;
 use super::units::{self, Guess, UnitSource};
@@ -315,9 +315,13 @@ impl ReadPart {
         let looked_at = own.map_or(&part.mesh, |b| &b.mesh);
         let bladed = wheel::wheel(looked_at).map(Bladed::Whole);
         let bladed = bladed.or_else(|| sector::sector(looked_at).map(Bladed::Sector));
-        let wheel = bladed.as_ref().and_then(Bladed::whole);
-        let looked = Looked { mesh: looked_at, stacking: stacking.as_ref(), wheel };
-        let found = recognised(&looked, &face_names, options, sheets && own.is_none());
+        let (wheel, sector) = match &bladed {
+            Some(Bladed::Whole(w)) => (Some(w), None),
+            Some(Bladed::Sector(w)) => (None, Some(w)),
+            None => (None, None),
+        };
+        let known = Known { stacking: stacking.as_ref(), wheel, sector };
+        let found = recognised(looked_at, &known, &face_names, options, sheets && own.is_none());
         let found = on_whole(found, own, &part.mesh, &bodies);
         if let (Ok(_), Some(w)) = (&found, wheel) {
             diagnosis.notes.push(Remark::Wheel { wheel: w.in_words() });
@@ -412,27 +416,22 @@ fn assembly(found: &Recognised, is_exact: bool, bodies: &[Body]) -> Option<Remar
     Some(Remark::Assembly { bodies: bodies.len(), number: number + 1, body: body.in_words() })
 }
 
-/// Where the blade is looked for.
-struct Looked<'a> {
-    /// The part, or its body that the user chose.
-    mesh: &'a Mesh,
-    /// The line along which a table stacks its sections.
-    stacking: Option<&'a Stacking>,
-    /// The wheel that it is.
-    wheel: Option<&'a Wheel>,
-}
-
-/// Looks for the blade. Sections of an open part are open where they meet an opening, so all rings
+/// Looks for the blade on the part, or on its body that the user chose. Sections of an open part are open where they meet an opening, so all rings
 /// are closed for the search; but not those of sheets that face each other, whose sections are
 /// joined where their ends are near.
-fn recognised(looked: &Looked, face_names: &[FaceName], options: &ModelOptions, sheets: bool) -> Result<Recognised> {
-    let Looked { mesh, stacking, wheel } = *looked;
+fn recognised(
+    mesh: &Mesh,
+    known: &Known,
+    face_names: &[FaceName],
+    options: &ModelOptions,
+    sheets: bool,
+) -> Result<Recognised> {
     let mut whole = mesh.clone();
     whole.corner_uv.clear();
     if sheets || boundary::close(&mut whole, f64::INFINITY, face_names.len() as u32) == 0 {
-        return recognise::recognise(mesh, face_names, options, stacking, wheel);
+        return recognise::recognise(mesh, face_names, options, known);
     }
-    let mut found = recognise::recognise(&whole, face_names, options, stacking, wheel)?;
+    let mut found = recognise::recognise(&whole, face_names, options, known)?;
     found.mesh = mesh.clone().moved(&found.model_from_blade.inverse());
     Ok(found)
 }

@@ -13,7 +13,7 @@
 use std::collections::BTreeMap;
 
 use super::run::{Link, Run, frame_along};
-use super::shape::LoopShape;
+use super::shape::{self, LoopShape};
 use crate::geometry::mesh::{EdgeUse, Mesh, root};
 use crate::geometry::slice::Loop;
 use crate::geometry::{Point, Vector};
@@ -26,10 +26,12 @@ const FLAT: f64 = 0.8;
 const FACING_DEG: f64 = 30.0;
 /// A lid's area, seen along the axis, over that of the last section.
 const LIKE: [f64; 2] = [0.5, 2.0];
-/// Lids whose normals are tried as axes: the largest.
+/// Lids whose normals are tried as axes: the largest, …
 const TRIED: usize = 6;
-/// Shares of the whole surface that a lid may have.
-const SHARE: [f64; 2] = [0.002, 0.25];
+/// … of those within this angle of one line only the first, degrees.
+const SAME_DEG: f64 = 0.05;
+/// Shares of the whole surface that a lid may have: little where a thin tip stands on a wide platform.
+const SHARE: [f64; 2] = [0.0004, 0.25];
 
 /// A patch whose mean normal is at least this long is a plane.
 const PLANE: f64 = 1.0 - 1e-6;
@@ -175,9 +177,19 @@ fn ends(area_mm2: f64, patches: &[FlatPatch]) -> Option<AirfoilEnds> {
     best.map(|b| b.1)
 }
 
-/// Directions in which the largest patches face.
+/// Directions in which the largest patches face. Patches that face along one line are one: the
+/// sides of a platform would else leave no place for a small tip.
 pub fn directions(patches: &[FlatPatch]) -> Vec<Vector> {
-    patches.iter().take(TRIED).map(|p| p.normal).collect()
+    let mut directions: Vec<Vector> = Vec::new();
+    for p in patches {
+        if directions.len() == TRIED {
+            break;
+        }
+        if !directions.iter().any(|d| d.dot(&p.normal).abs() > SAME_DEG.to_radians().cos()) {
+            directions.push(p.normal);
+        }
+    }
+    directions
 }
 
 /// Normals of patches that are planes, largest first, and whether another such patch has the same
@@ -219,9 +231,23 @@ const MOST_LEAN_DEG: f64 = 65.0;
 
 /// How many ends of the run, 0 to 2, have a lid.
 pub fn lids(patches: &[FlatPatch], run: &Run) -> usize {
+    lids_of(patches, run).into_iter().flatten().count()
+}
+
+/// What the lids of both ends add up to, 0 to 2: one whose outline is an airfoil's counts in full,
+/// the sides of a platform, bars with square ends, do not.
+pub fn airfoil_lids(patches: &[FlatPatch], run: &Run) -> f64 {
+    let worth = |lid: &FlatPatch| {
+        lid.outline.map_or(0.0, |o| ((o.likeness - shape::BLUNT) / (OUTLINE - shape::BLUNT)).clamp(0.0, 1.0))
+    };
+    lids_of(patches, run).into_iter().flatten().map(worth).sum()
+}
+
+/// The lids of the low and the high end of the run, of several the one most like an airfoil.
+fn lids_of<'a>(patches: &'a [FlatPatch], run: &Run) -> [Option<&'a FlatPatch>; 2] {
     let blade_from_mesh = frame_along(&run.direction).inverse();
     let lid = |end: &Link, outward: &Vector| {
-        patches.iter().any(|p| {
+        let is_lid = |p: &&FlatPatch| {
             let facing = p.normal.dot(outward);
             let q = blade_from_mesh * p.middle;
             let beyond = (p.middle.coords.dot(&run.direction) - end.height_mm) * outward.dot(&run.direction);
@@ -232,11 +258,11 @@ pub fn lids(patches: &[FlatPatch], run: &Run) -> usize {
                 && (LIKE[0]..=LIKE[1]).contains(&share)
                 && (b[0]..=b[2]).contains(&q.y)
                 && (b[1]..=b[3]).contains(&q.z)
-        })
+        };
+        let likeness = |p: &FlatPatch| p.outline.map_or(0.0, |o| o.likeness);
+        patches.iter().filter(is_lid).max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
     };
-    let low = run.links.first().is_some_and(|l| lid(l, &-run.direction));
-    let high = run.links.last().is_some_and(|l| lid(l, &run.direction));
-    usize::from(low) + usize::from(high)
+    [run.links.first().and_then(|l| lid(l, &-run.direction)), run.links.last().and_then(|l| lid(l, &run.direction))]
 }
 
 #[cfg(test)]

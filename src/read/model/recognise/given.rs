@@ -7,12 +7,11 @@
 
 use super::run::{self, Run};
 use super::search::{self, FoundAxis};
-use super::{named, words};
+use super::{Known, named, words};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Vector;
 use crate::geometry::mesh::Mesh;
 use crate::observe::Remark;
-use crate::read::model::faces::Stacking;
 
 /// Directions farther apart than this are not the same axis, degrees; the search has rivals from
 /// the same angle on.
@@ -35,12 +34,12 @@ pub struct Given {
 /// # Errors
 /// `Usage`: an axis of no length. `InputOutput`: no sections along it that continue, with the
 /// cause.
-pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, stacking: Option<&Stacking>) -> Result<Given> {
+pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, known: &Known) -> Result<Given> {
     let direction = direction(axis)?;
     let run = run::along(mesh, &direction, faces);
-    let found = match stacking {
+    let found = match known.stacking {
         Some(s) => search::stacked(mesh, s, faces),
-        None => search::search(mesh, faces),
+        None => search::search(mesh, faces, known.sector.map(|w| &w.axis)),
     };
     if run.links.is_empty() {
         return Err(nothing_along(mesh, &direction, faces, found.ok()));

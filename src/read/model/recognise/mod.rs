@@ -98,22 +98,28 @@ impl Recognised {
 
 /// The search without what the user said: for telling what a body is.
 pub fn looks_like_airfoil(mesh: &Mesh) -> Option<String> {
-    let found = search::search(mesh, None).ok()?;
+    let found = search::search(mesh, None, None).ok()?;
     (found.run.likeness >= PARTLY).then(|| format!("an airfoil along {}", words(&found.run.direction)))
 }
 
-/// Finds axis and regions. `stacking`: the line along which a table stacks its sections, if the
-/// part comes from one; `wheel`: the wheel that the part is.
+/// What is known of a part before its sections are looked at.
+#[derive(Clone, Copy, Default)]
+pub struct Known<'a> {
+    /// The line along which a table stacks its sections, if the part comes from one.
+    pub stacking: Option<&'a Stacking>,
+    /// The wheel that the part is.
+    pub wheel: Option<&'a Wheel>,
+    /// The wheel that it is one sector of.
+    pub sector: Option<&'a Wheel>,
+}
+
+/// Finds axis and regions.
 ///
 /// # Errors
 /// `Usage`: an axis of no length. `InputOutput`: no direction along which sections continue.
-pub fn recognise(
-    mesh: &Mesh,
-    face_names: &[FaceName],
-    options: &ModelOptions,
-    stacking: Option<&Stacking>,
-    wheel: Option<&Wheel>,
-) -> Result<Recognised> {
+pub fn recognise(mesh: &Mesh, face_names: &[FaceName], options: &ModelOptions, known: &Known) -> Result<Recognised> {
+    let Known { stacking, wheel, sector } = *known;
+    let rotor = sector.map(|w| &w.axis);
     let airfoil = named::faces(&options.airfoil_faces, face_names)?;
     let airfoil = airfoil.as_deref();
     let (mut doubts, mut against) = (Vec::new(), None);
@@ -121,7 +127,7 @@ pub fn recognise(
         Some(a) => {
             let given = match wheel {
                 Some(w) => one_blade::given(mesh, w, a, airfoil)?,
-                None => given::given(mesh, a, airfoil, stacking)?,
+                None => given::given(mesh, a, airfoil, known)?,
             };
             against = given.against;
             (given.run, given.reason)
@@ -130,7 +136,7 @@ pub fn recognise(
             let found = match (stacking, wheel) {
                 (Some(s), _) => search::stacked(mesh, s, airfoil)?,
                 (None, Some(w)) => one_blade::search(mesh, w, airfoil)?,
-                (None, None) => search::search(mesh, airfoil)?,
+                (None, None) => search::search(mesh, airfoil, rotor)?,
             };
             doubts.extend(found.doubt);
             (found.run, found.reason)

@@ -37,14 +37,16 @@ const COMMON_DEG: f64 = 0.5;
 
 /// Sections that are no airfoils and cover less than this share of the part are no blade either.
 const COVERED: f64 = 0.4;
-/// A lid at an end of the run is worth this much of its score.
+/// A lid with an airfoil's outline at an end of the run is worth this much of its score.
 const LID: f64 = 1.0;
 /// A direction farther than this from the chosen one, degrees, that scores this share of it, is
 /// reported to the user.
 const RIVAL_DEG: f64 = 35.0;
 /// See [`RIVAL_DEG`].
 const RIVAL: f64 = 0.5;
-/// The same where the chosen direction is a radius on which the part stands off its shaft: what
+/// The blade of a sector stands at least this far off the rotor axis, degrees.
+const OFF_SHAFT_DEG: f64 = 45.0;
+/// As [`RIVAL_DEG`] where the chosen direction is a radius on which the part stands off its shaft: what
 /// lies nearer cuts the same blade aslant.
 const LEANS_DEG: f64 = 60.0;
 /// Two runs with measures within this ratio, in different places, are two airfoils.
@@ -70,16 +72,21 @@ pub struct FoundAxis {
 }
 
 /// The best run of all candidates, its sense from root to tip, and why. `faces`: as for
-/// [`run::along`].
+/// [`run::along`]; `rotor`: axis of the wheel that the part is a sector of.
 ///
 /// # Errors
 /// `InputOutput`: no direction along which sections continue; several airfoils; nothing like an
 /// airfoil.
-pub fn search(mesh: &Mesh, faces: Option<&[bool]>) -> Result<FoundAxis> {
+pub fn search(mesh: &Mesh, faces: Option<&[bool]>, rotor: Option<&Vector>) -> Result<FoundAxis> {
     let sides = edge_uses(&mesh.triangles);
     let patches = caps::patches(mesh, &sides);
     let along = |d: &Vector| run_along(mesh, d, faces, &patches);
     let mut runs = tried(mesh, &patches, along);
+    // A sector's sections along its rotor axis are cut through blade, hub and plate at once.
+    let off = |r: &Run| rotor.is_none_or(|axis| between_deg(axis, &r.direction) > OFF_SHAFT_DEG);
+    if runs.iter().any(|r| off(r) && r.score > 0.0) {
+        runs.retain(off);
+    }
     let top = best(&runs).map(|top| drawn(&runs, top)).ok_or_else(|| named::nothing(mesh, &candidates(mesh), faces))?;
     let (mut chosen, mut why) = datum(&mut runs, top, &patches, along);
     let radius = rotor::radius(mesh);
@@ -159,7 +166,7 @@ const GROWS: f64 = 1.5;
 /// A run with its lids counted.
 fn run_along(mesh: &Mesh, d: &Vector, faces: Option<&[bool]>, patches: &[FlatPatch]) -> Run {
     let mut run = run::along(mesh, d, faces);
-    run.score *= 1.0 + LID * caps::lids(patches, &run) as f64;
+    run.score *= 1.0 + LID * caps::airfoil_lids(patches, &run);
     run
 }
 

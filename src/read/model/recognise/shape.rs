@@ -1,7 +1,8 @@
 //! Measures of a section loop: how much it looks like an airfoil.
 //!
 //! An airfoil is slender, ends in two edges thinner than its middle, and has at most one deep
-//! hollow (its concave side). Platforms, roots and discs fail at least one of these.
+//! hollow (its concave side). Platforms, roots and discs fail at least one of these; so does a cut
+//! through platform and airfoil at once, a T with a deep hollow on either side of its web.
 
 use crate::geometry::slice::Loop;
 
@@ -20,6 +21,8 @@ pub struct LoopShape {
     pub roundness: f64,
     /// Hollows of the convex hull deeper than [`HOLLOW`] of the longest extent.
     pub hollows: usize,
+    /// Depth of the second deepest of them over the longest extent; 0 where there is none.
+    pub second_hollow: f64,
     /// Width near the wider end over the greatest width, both across the main axis.
     pub bluntness: f64,
     /// 0…1, product of the above as ramps.
@@ -28,6 +31,11 @@ pub struct LoopShape {
 
 /// Depth of a hollow that counts, as a share of the longest extent.
 const HOLLOW: f64 = 0.04;
+/// A second hollow up to the first of these depths, as shares of the longest extent, may lie beside a
+/// web that is as thin as the airfoil; from the second one on the cut goes through a platform.
+const SECOND_HOLLOW: [f64; 2] = [0.12, 0.18];
+/// Likeness of a slender bar with square ends.
+pub const BLUNT: f64 = 0.3;
 /// Where the ends' width is taken, as a share of the extent along the main axis.
 const NEAR_END: f64 = 0.03;
 
@@ -44,11 +52,13 @@ impl LoopShape {
             [b[0].min(p[0]), b[1].min(p[1]), b[2].max(p[0]), b[3].max(p[1])]
         });
         let roundness = 4.0 * std::f64::consts::PI * area / (perimeter * perimeter);
-        let hollows = hollows(&l.points);
+        let depths = hollows(&l.points);
+        let (hollows, second_hollow) = (depths.len(), depths.get(1).copied().unwrap_or(0.0));
         let bluntness = bluntness(&l.points, axis);
         let likeness = falling(roundness, 0.55, 0.9)
             * [1.0, 1.0, 0.7, 0.1].get(hollows).copied().unwrap_or(0.0)
-            * (0.3 + 0.7 * falling(bluntness, 0.65, 0.95));
+            * (0.1 + 0.9 * falling(second_hollow, SECOND_HOLLOW[0], SECOND_HOLLOW[1]))
+            * (BLUNT + (1.0 - BLUNT) * falling(bluntness, 0.65, 0.95));
         Some(LoopShape {
             area_mm2: area,
             perimeter_mm: perimeter,
@@ -56,6 +66,7 @@ impl LoopShape {
             bounds,
             roundness,
             hollows,
+            second_hollow,
             bluntness,
             likeness,
         })
@@ -110,12 +121,12 @@ fn moments(points: &[[f64; 2]], area: f64) -> Option<([f64; 2], [f64; 2])> {
     Some(([o[0] + c[0], o[1] + c[1]], [angle.cos(), angle.sin()]))
 }
 
-/// Number of pockets between the loop and its convex hull that are deeper than [`HOLLOW`] of the
-/// hull's extent.
-fn hollows(points: &[[f64; 2]]) -> usize {
+/// Depths of the pockets between the loop and its convex hull that are deeper than [`HOLLOW`], as
+/// shares of the hull's extent, the deepest first.
+fn hollows(points: &[[f64; 2]]) -> Vec<f64> {
     let hull = hull(points);
     if hull.len() < 3 {
-        return 0;
+        return Vec::new();
     }
     // The greatest extent in any of 16 directions: within 0.5 % of the diameter.
     let extent = (0..16)
@@ -130,8 +141,8 @@ fn hollows(points: &[[f64; 2]]) -> usize {
     // The hull in the loop's own order: between two neighbours on it lies one pocket.
     let mut on_hull = hull;
     on_hull.sort_unstable();
-    (0..on_hull.len())
-        .filter(|&k| {
+    let mut depths: Vec<f64> = (0..on_hull.len())
+        .map(|k| {
             let (i, j) = (on_hull[k], on_hull[(k + 1) % on_hull.len()]);
             let (a, b) = (points[i], points[j]);
             let length = (b[0] - a[0]).hypot(b[1] - a[1]);
@@ -142,9 +153,12 @@ fn hollows(points: &[[f64; 2]]) -> usize {
                     ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])) / length.max(f64::MIN_POSITIVE)
                 })
                 .fold(0.0, f64::max);
-            depth > HOLLOW * extent
+            depth / extent
         })
-        .count()
+        .filter(|&depth| depth > HOLLOW)
+        .collect();
+    depths.sort_by(|a, b| b.total_cmp(a));
+    depths
 }
 
 /// Indices of the convex hull's corners (Andrew's monotone chain), counter-clockwise.
@@ -308,6 +322,28 @@ mod tests {
             [0., 1.],
         ];
         assert_eq!(shape(i).hollows, 2);
+    }
+
+    #[test]
+    fn an_airfoil_on_its_platform_cut_through_both_does_not() {
+        for web in [0.8, 1.5, 3.0] {
+            for (wide, thick) in [(8.0, 1.0), (12.0, 2.5), (20.0, 4.0)] {
+                let (w, h) = (wide / 2.0, web / 2.0);
+                let top = thick + 12.0;
+                let t = vec![
+                    [-w, 0.],
+                    [w, 0.],
+                    [w, thick],
+                    [h, thick],
+                    [0.6 * h, top],
+                    [-0.6 * h, top],
+                    [-h, thick],
+                    [-w, thick],
+                ];
+                let s = shape(t);
+                assert!(s.likeness < 0.11, "web {web}, platform {wide} by {thick}: {s:?}");
+            }
+        }
     }
 
     #[test]
