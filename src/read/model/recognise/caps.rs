@@ -30,7 +30,8 @@ const LIKE: [f64; 2] = [0.5, 2.0];
 const TRIED: usize = 6;
 /// … of those within this angle of one line only the first, degrees.
 const SAME_DEG: f64 = 0.05;
-/// Shares of the whole surface that a lid may have: little where a thin tip stands on a wide platform.
+/// Shares of the whole surface that a lid may have: little where a thin tip stands on a wide
+/// platform.
 const SHARE: [f64; 2] = [0.0004, 0.25];
 
 /// A patch whose mean normal is at least this long is a plane.
