@@ -46,8 +46,8 @@ const RIVAL_DEG: f64 = 35.0;
 const RIVAL: f64 = 0.5;
 /// The blade of a sector stands at least this far off the rotor axis, degrees.
 const OFF_SHAFT_DEG: f64 = 45.0;
-/// As [`RIVAL_DEG`] where the chosen direction is a radius on which the part stands off its shaft: what
-/// lies nearer cuts the same blade aslant.
+/// As [`RIVAL_DEG`] where the chosen direction is a radius on which the part stands off its shaft:
+/// what lies nearer cuts the same blade aslant.
 const LEANS_DEG: f64 = 60.0;
 /// Two runs with measures within this ratio, in different places, are two airfoils.
 const ALIKE: f64 = 0.8;

@@ -31,8 +31,8 @@ pub struct LoopShape {
 
 /// Depth of a hollow that counts, as a share of the longest extent.
 const HOLLOW: f64 = 0.04;
-/// A second hollow up to the first of these depths, as shares of the longest extent, may lie beside a
-/// web that is as thin as the airfoil; from the second one on the cut goes through a platform.
+/// A second hollow up to the first of these depths, as shares of the longest extent, may lie beside
+/// a web that is as thin as the airfoil; from the second one on the cut goes through a platform.
 const SECOND_HOLLOW: [f64; 2] = [0.12, 0.18];
 /// Likeness of a slender bar with square ends.
 pub const BLUNT: f64 = 0.3;
