@@ -416,9 +416,9 @@ fn assembly(found: &Recognised, is_exact: bool, bodies: &[Body]) -> Option<Remar
     Some(Remark::Assembly { bodies: bodies.len(), number: number + 1, body: body.in_words() })
 }
 
-/// Looks for the blade on the part, or on its body that the user chose. Sections of an open part are
-/// open where they meet an opening, so all rings are closed for the search; but not those of sheets
-/// that face each other, whose sections are joined where their ends are near.
+/// Looks for the blade on the part, or on its body that the user chose. Sections of an open part
+/// are open where they meet an opening, so all rings are closed for the search; but not those of
+/// sheets that face each other, whose sections are joined where their ends are near.
 fn recognised(
     mesh: &Mesh,
     known: &Known,
