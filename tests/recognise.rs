@@ -9,6 +9,8 @@ use std::process::{Command, Output};
 use bladewright::artifact::blade::Unit;
 use bladewright::artifact::region::Area;
 use bladewright::job;
+use bladewright::make;
+use bladewright::make::design::{Accuracy, AirfoilDesign, BladeDesign, Law, OutlinePoint, PlatformDesign};
 use bladewright::observe::Silent;
 use bladewright::read::model::{self, ModelOptions, Survey};
 use nalgebra::{Point3, UnitQuaternion, Vector3};
@@ -188,6 +190,80 @@ fn a_low_blade_on_a_wide_platform_has_its_axis_in_any_position() {
     for platform in [[46.0, 40.0, 8.0], [40.0, 36.0, 14.0], [60.0, 30.0, 5.0]] {
         stays_with(&on_a_platform(&low, platform), 6.0, false);
     }
+}
+
+/// A blade drawn at random: low or high, thin or thick, flat or deep, twisted or straight, on a
+/// plain shank or a dovetail.
+fn drawn(seed: u32) -> BladeDesign {
+    let share = |k: u32| f64::from((seed * 31 + k).wrapping_mul(2_654_435_761) >> 8) / f64::from(1u32 << 24);
+    let between = |k: u32, from: f64, to: f64| from + share(k) * (to - from);
+    let line = |from: f64, to: f64| Law::Stations(vec![[0.0, from], [1.0, to]]);
+    let chord = 30.0;
+    let (stagger, twist, turning) = (between(2, -10.0, 40.0), between(3, 0.0, 45.0), between(4, 10.0, 80.0));
+    let (thick, thin) = (between(5, 2.4, 5.0), between(6, 0.5, 0.9));
+    let deep = between(7, 5.0, 14.0);
+    let half = between(8, 13.0, 26.0);
+    let root = if share(9) < 0.5 {
+        vec![[0.0, half], [deep, half], [deep, 0.6 * half], [2.0 * deep, 0.6 * half]]
+    } else {
+        vec![
+            [0.0, half],
+            [deep, half],
+            [deep, 0.4 * half],
+            [1.5 * deep, 0.4 * half],
+            [2.0 * deep, 0.8 * half],
+            [2.6 * deep, 0.8 * half],
+        ]
+    };
+    BladeDesign {
+        name: format!("drawn_{seed}"),
+        height_mm: chord * between(1, 0.45, 2.8),
+        fillet_radius_mm: between(10, 0.6, 1.6),
+        airfoil: Some(AirfoilDesign {
+            chord_mm: line(chord, chord * between(11, 0.6, 1.0)),
+            stagger_deg: line(stagger, stagger + twist),
+            inlet_deg: line(0.5 * turning, 0.4 * turning),
+            outlet_deg: line(0.5 * turning, 0.3 * turning),
+            thickness_mm: line(thick, thin * thick),
+            thickness_at: Law::Constant(0.42),
+            leading_radius_mm: line(0.12 * thick, 0.12 * thin * thick),
+            trailing_radius_mm: line(0.08 * thick, 0.08 * thin * thick),
+            stack_at: 0.5,
+            sweep_mm: Law::Constant(0.0),
+            lean_mm: Law::Constant(0.0),
+        }),
+        prism: None,
+        platform: PlatformDesign {
+            length_mm: chord * between(12, 1.25, 2.0),
+            top_z_mm: 0.0,
+            shear_deg: between(13, 0.0, 14.0),
+            offset_x_mm: 0.0,
+            offset_y_mm: -1.0,
+            outline: root
+                .into_iter()
+                .map(|[depth_mm, half_width_mm]| OutlinePoint { depth_mm, half_width_mm })
+                .collect(),
+        },
+        accuracy: Accuracy { stations: 64, rows: 8, deflection_mm: 0.05 },
+    }
+}
+
+#[test]
+fn blades_of_any_proportions_on_a_root_have_their_axis() {
+    let mut found = 0;
+    for seed in 0..30 {
+        // An airfoil that its platform does not carry, or a fillet without room, is no blade.
+        let Ok(blade) = make::build(&drawn(seed)) else { continue };
+        let by = rotation(seed + 1);
+        let mesh = (blade.mesh.points.clone(), blade.mesh.triangles.iter().map(|t| t.map(|i| i as usize)).collect());
+        let survey = survey(&obj(&turned(&mesh, &by)));
+        let (axis, doubts) = axis(&survey);
+        let off_deg = axis.angle(&(by * Vector3::z())).to_degrees();
+        let reasons = survey.found.as_ref().map(|f| &f.heights.reasons);
+        assert!(off_deg < 3.0, "design {seed}: {off_deg}° off, {reasons:?}, {doubts:?}");
+        found += 1;
+    }
+    assert!(found >= 15, "only {found} designs are blades");
 }
 
 #[test]
