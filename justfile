@@ -47,7 +47,7 @@ opencamlib places="2000":
     cargo build --release --example drop_cutter
     "${PYTHON:-python3}" tests/opencamlib/compare.py target/release/examples/drop_cutter {{places}}
 
-# Needs Python (PYTHON=...) with `pip install cadquery-ocp numpy`, as do the next three.
+# Needs Python (PYTHON=...) with `pip install cadquery-ocp numpy`, as do `occ-dense`, `occ-entities` and `occ-load`.
 # Closest points, inside, area and volume beside OpenCASCADE
 occ points="10000" *models="models/steam_root.step models/compressor_twist.step models/turbine_camber.step models/prism.step":
     cargo build --release --examples --bins
@@ -63,6 +63,12 @@ occ-dense points="10000" *models="models/steam_root.step":
 occ-entities:
     cargo build --release --bins
     "${PYTHON:-python3}" tests/occ/entities.py target/release
+
+# Needs Python (PYTHON=...) with `pip install cadquery`.
+# Blades drawn at random: `inspect` finds their axis, and with --plan they are planned at defaults
+drawn count="40" *options="":
+    cargo build --release --bins
+    "${PYTHON:-python3}" tests/occ/drawn.py target/release/bladewright {{count}} {{options}}
 
 # Models may be meshes (STL, OBJ), MODEL@m is one in metres whatever it says.
 # Loading time beside OpenCASCADE
