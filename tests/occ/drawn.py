@@ -25,7 +25,7 @@ import cadquery as cq
 import numpy as np
 from cadquery import Edge, Solid, Vector, Wire
 
-# Greatest angle between the axis found and the one drawn along, degrees: bow and sweep lean the sections by up to 12.
+# Greatest angle between the axis found and the one drawn along, degrees: sweep alone moves the tip aside by up to 11.
 WITHIN_DEG = 15.0
 
 

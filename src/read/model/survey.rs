@@ -315,12 +315,9 @@ impl ReadPart {
         let looked_at = own.map_or(&part.mesh, |b| &b.mesh);
         let bladed = wheel::wheel(looked_at).map(Bladed::Whole);
         let bladed = bladed.or_else(|| sector::sector(looked_at).map(Bladed::Sector));
-        let (wheel, sector) = match &bladed {
-            Some(Bladed::Whole(w)) => (Some(w), None),
-            Some(Bladed::Sector(w)) => (None, Some(w)),
-            None => (None, None),
-        };
-        let known = Known { stacking: stacking.as_ref(), wheel, sector };
+        let wheel = bladed.as_ref().and_then(Bladed::whole);
+        let rotor = if let Some(Bladed::Sector(w)) = &bladed { Some(&w.axis) } else { None };
+        let known = Known { stacking: stacking.as_ref(), wheel, rotor };
         let found = recognised(looked_at, &known, &face_names, options, sheets && own.is_none());
         let found = on_whole(found, own, &part.mesh, &bodies);
         if let (Ok(_), Some(w)) = (&found, wheel) {

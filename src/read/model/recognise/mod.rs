@@ -103,14 +103,13 @@ pub fn looks_like_airfoil(mesh: &Mesh) -> Option<String> {
 }
 
 /// What is known of a part before its sections are looked at.
-#[derive(Clone, Copy, Default)]
 pub struct Known<'a> {
     /// The line along which a table stacks its sections, if the part comes from one.
     pub stacking: Option<&'a Stacking>,
     /// The wheel that the part is.
     pub wheel: Option<&'a Wheel>,
-    /// The wheel that it is one sector of.
-    pub sector: Option<&'a Wheel>,
+    /// Axis of the wheel that it is one sector of.
+    pub rotor: Option<&'a Vector>,
 }
 
 /// Finds axis and regions.
@@ -118,8 +117,7 @@ pub struct Known<'a> {
 /// # Errors
 /// `Usage`: an axis of no length. `InputOutput`: no direction along which sections continue.
 pub fn recognise(mesh: &Mesh, face_names: &[FaceName], options: &ModelOptions, known: &Known) -> Result<Recognised> {
-    let Known { stacking, wheel, sector } = *known;
-    let rotor = sector.map(|w| &w.axis);
+    let Known { stacking, wheel, rotor } = *known;
     let airfoil = named::faces(&options.airfoil_faces, face_names)?;
     let airfoil = airfoil.as_deref();
     let (mut doubts, mut against) = (Vec::new(), None);

@@ -5,6 +5,7 @@
 //! through platform and airfoil at once, a T with a deep hollow on either side of its web.
 
 use crate::geometry::slice::Loop;
+use crate::numerics::angle::within_half_turn;
 
 /// Measures of one closed loop.
 #[derive(Clone, Copy, Debug)]
@@ -55,11 +56,11 @@ impl LoopShape {
         let depths = hollows(&l.points);
         let (hollows, second_hollow) = (depths.len(), depths.get(1).copied().unwrap_or(0.0));
         let bluntness = bluntness(&l.points, axis);
+        let pointed = falling(bluntness, 0.65, 0.95).min(1.0 - block(&l.points, perimeter, roundness));
         let likeness = falling(roundness, 0.55, 0.9)
             * [1.0, 1.0, 0.7, 0.1].get(hollows).copied().unwrap_or(0.0)
             * (0.1 + 0.9 * falling(second_hollow, SECOND_HOLLOW[0], SECOND_HOLLOW[1]))
-            * (BLUNT
-                + (1.0 - BLUNT) * falling(bluntness, 0.65, 0.95).min(1.0 - block(&l.points, perimeter, roundness)));
+            * (BLUNT + (1.0 - BLUNT) * pointed);
         Some(LoopShape {
             area_mm2: area,
             perimeter_mm: perimeter,
@@ -97,26 +98,25 @@ impl LoopShape {
 /// 1 for a stout loop of four straight sides, sheared or not, as platforms and roots have; 0 for
 /// one that is slender or curved.
 fn block(points: &[[f64; 2]], perimeter_mm: f64, roundness: f64) -> f64 {
+    let stout = 1.0 - falling(roundness, 0.45, 0.55);
+    if stout == 0.0 {
+        return 0.0;
+    }
     let n = points.len();
-    let direction = |i: usize| {
-        let (p, q) = (points[i % n], points[(i + 1) % n]);
-        (q[1] - p[1]).atan2(q[0] - p[0])
-    };
-    let turn = |i: usize| {
-        let by = direction(i + 1) - direction(i);
-        (by + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI
-    };
+    let steps: Vec<[f64; 2]> =
+        points.iter().zip(points.iter().cycle().skip(1)).map(|(p, q)| [q[0] - p[0], q[1] - p[1]]).collect();
+    let directions: Vec<f64> = steps.iter().map(|d| d[1].atan2(d[0])).collect();
+    // How much the loop turns behind each step.
+    let turns: Vec<f64> = (0..n).map(|i| within_half_turn(directions[(i + 1) % n] - directions[i])).collect();
     // From a corner on, so that no side is taken for two.
-    let Some(corner) = (0..n).max_by(|&i, &j| turn(i).abs().total_cmp(&turn(j).abs())) else { return 0.0 };
+    let Some(corner) = (0..n).max_by(|&i, &j| turns[i].abs().total_cmp(&turns[j].abs())) else { return 0.0 };
     let mut sides = vec![0.0];
     let mut bent = 0.0;
-    for k in 1..=n {
-        let i = corner + k;
-        let (p, q) = (points[i % n], points[(i + 1) % n]);
+    for i in (corner + 1..n).chain(0..=corner) {
         if let Some(side) = sides.last_mut() {
-            *side += (q[0] - p[0]).hypot(q[1] - p[1]);
+            *side += steps[i][0].hypot(steps[i][1]);
         }
-        bent += turn(i);
+        bent += turns[i];
         if f64::abs(bent) > STRAIGHT_RAD {
             sides.push(0.0);
             bent = 0.0;
@@ -124,7 +124,7 @@ fn block(points: &[[f64; 2]], perimeter_mm: f64, roundness: f64) -> f64 {
     }
     sides.sort_by(|a, b| b.total_cmp(a));
     let share = sides.iter().take(4).sum::<f64>() / perimeter_mm;
-    (1.0 - falling(share, 0.75, 0.9)) * (1.0 - falling(roundness, 0.45, 0.55))
+    (1.0 - falling(share, 0.75, 0.9)) * stout
 }
 
 /// A side that turns less is straight.
@@ -386,7 +386,7 @@ mod tests {
                     [-w, thick],
                 ];
                 let s = shape(t);
-                assert!(s.likeness < 0.15, "web {web}, platform {wide} by {thick}: {s:?}");
+                assert!(s.likeness < 0.11, "web {web}, platform {wide} by {thick}: {s:?}");
             }
         }
     }
