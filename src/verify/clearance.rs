@@ -6,6 +6,11 @@
 //! that bound is within the resolution of the least distance measured so far. At one place a tree
 //! over the part's triangles is searched with the same bound over its boxes: no triangle and no
 //! moment is left out that could matter.
+//!
+//! Most moves of a long motion are far from mattering. Moves that follow one another are looked at
+//! as one straight move first ([`Run`]), with the greatest distance of any point of the tool from
+//! where that one would have it taken off the bound. What this does not clear is cut into shorter
+//! runs, and at last into its moves.
 
 use parry3d_f64::partitioning::TraversalAction;
 
@@ -22,6 +27,9 @@ use crate::tool::Segment;
 /// Moves per unit of parallel work; fixed, so that the result does not depend on the number of
 /// threads.
 const CHUNK: usize = 128;
+/// So many moves are looked at as one at first; what is not clear is cut into so many runs.
+const LONGEST_RUN: usize = 64;
+const CUT: usize = 4;
 /// Places of the first, coarse look over the path.
 const COARSE: usize = 400;
 /// Halvings of one move at most.
@@ -79,6 +87,63 @@ impl Track<'_> {
     }
 }
 
+/// Moves that follow one another: from row `first` to row `last`.
+#[derive(Clone, Copy)]
+struct Run {
+    first: usize,
+    last: usize,
+}
+
+impl Run {
+    /// The longest runs of these moves, the first one last.
+    fn all_of(moves: std::ops::Range<usize>) -> Vec<Run> {
+        let end = moves.end;
+        let run = |first: usize| Run { first, last: (first + LONGEST_RUN).min(end) };
+        moves.step_by(LONGEST_RUN).map(run).rev().collect()
+    }
+
+    fn count(&self) -> usize {
+        self.last - self.first
+    }
+
+    /// Its parts, the first one last.
+    fn cut(self) -> impl Iterator<Item = Run> {
+        let each = self.count().div_ceil(CUT);
+        let part = move |first: usize| Run { first, last: (first + each).min(self.last) };
+        (self.first..self.last).step_by(each.max(1)).map(part).rev()
+    }
+}
+
+/// How far a point of a segment may be from the ball centre, mm.
+fn reach_mm(segment: &Segment) -> f64 {
+    segment.z0.abs().max(segment.z1.abs()).hypot(segment.r0.max(segment.r1))
+}
+
+/// How far a point of the tool within `reach_mm` of the ball centre may be from where it would be
+/// if all of these moves were the one straight move from the first stand to the last; `None` where
+/// their cones have different frames.
+///
+/// Any place of the one move will do for comparison, the nearest along its chord is taken. Between
+/// two stands both moves are straight, and so is their difference: it is greatest at a stand.
+fn bend_mm(stands: &[Stand], reach_mm: f64) -> Option<f64> {
+    let (first, last) = (stands.first()?, stands.last()?);
+    let is_same = |s: &Stand| s.cone.axis == first.cone.axis && s.cone.reference == first.cone.reference;
+    let chord = last.centre - first.centre;
+    let length2 = chord.norm_squared();
+    let mut most = 0.0f64;
+    for (k, s) in stands.iter().enumerate() {
+        if !is_same(s) {
+            return None;
+        }
+        let even = k as f64 / (stands.len() - 1) as f64;
+        let share = if length2 > 0.0 { (s.centre - first.centre).dot(&chord) / length2 } else { even };
+        let there = first.towards(last, share.clamp(0.0, 1.0));
+        let turned = (s.theta - there.theta).abs() + (s.cone.lean_rad - there.cone.lean_rad).abs();
+        most = most.max((s.centre - there.centre).norm() + turned * reach_mm);
+    }
+    most.is_finite().then_some(most)
+}
+
 /// The motion as it is looked at, and the tool's segments.
 struct TrackSearch<'a> {
     part: &'a Part,
@@ -98,11 +163,16 @@ impl<'a> TrackSearch<'a> {
 
     /// The tool in the middle of the parts `t0 … t1` of move `row`.
     fn place(&self, row: usize, t0: f64, t1: f64) -> Vec<Moving<'a>> {
+        let next = (row + 1).min(self.track.stands.len() - 1);
+        self.place_on(row, next, 0.5 * (t0 + t1), 0.5 * (t1 - t0))
+    }
+
+    /// The tool on the straight move from the stand of one row to that of another, about a share of
+    /// the way and so far to both sides of it.
+    fn place_on(&self, from: usize, to: usize, mid: f64, half: f64) -> Vec<Moving<'a>> {
         let stands = self.track.stands;
-        let next = (row + 1).min(stands.len() - 1);
-        let share = [0.5 * (t0 + t1), 0.5 * (t1 - t0)];
         let Some((first, others)) = self.segments.split_first() else { return Vec::new() };
-        let first = Moving::between(first, &stands[row], &stands[next], share);
+        let first = Moving::between(first, &stands[from], &stands[to], [mid, half]);
         std::iter::once(first).chain(others.iter().map(|frustum| first.with(frustum))).collect()
     }
 
@@ -148,12 +218,20 @@ impl<'a> TrackSearch<'a> {
     fn over(&self, rows: std::ops::Range<usize>, start: Nearest) -> Nearest {
         let mut best = start;
         let mut hint = start.triangle;
-        for row in rows.filter(|row| self.track.wants(*row)) {
-            let mut open = vec![(0.0, 1.0, 0)];
+        let mut runs = Run::all_of(rows);
+        while let Some(run) = runs.pop() {
+            // Half of what may be missed is left for telling points apart and for the move itself.
+            let cap = |best: &Nearest| best.found_mm - 0.5 * self.may_miss(best.found_mm);
+            if run.count() > 1 {
+                if !self.clears(&run, cap(&best), &mut hint) {
+                    runs.extend(run.cut());
+                }
+                continue;
+            }
+            let row = run.first;
+            let mut open = if self.track.wants(row) { vec![(0.0, 1.0, 0)] } else { Vec::new() };
             while let Some((t0, t1, depth)) = open.pop() {
-                // Half of what may be missed is left for telling points apart and for the move
-                // itself.
-                let cap = best.found_mm - 0.5 * self.may_miss(best.found_mm);
+                let cap = cap(&best);
                 let (lower, seen) = self.least(&self.place(row, t0, t1), cap, hint, row);
                 if lower >= cap {
                     continue;
@@ -174,6 +252,23 @@ impl<'a> TrackSearch<'a> {
         best
     }
 
+    /// Whether nothing is nearer than `limit_mm` on any move of a run, as far as one straight move
+    /// shows it. A triangle that is nearer becomes the hint.
+    fn clears(&self, run: &Run, limit_mm: f64, hint: &mut u32) -> bool {
+        let Some(stands) = self.track.stands.get(run.first..=run.last) else { return false };
+        if !(run.first..run.last).all(|row| self.track.wants(row)) {
+            return false;
+        }
+        let reach_mm = self.segments.iter().map(reach_mm).fold(0.0, f64::max);
+        let Some(off_mm) = bend_mm(stands, reach_mm) else { return false };
+        let cap = limit_mm + off_mm;
+        let (lower, seen) = self.least(&self.place_on(run.first, run.last, 0.5, 0.5), cap, *hint, run.first);
+        if seen.triangle != u32::MAX {
+            *hint = seen.triangle;
+        }
+        lower >= cap
+    }
+
     /// Least distance over the whole path.
     fn whole(&self) -> Nearest {
         let n = self.track.stands.len();
@@ -190,6 +285,26 @@ impl<'a> TrackSearch<'a> {
 }
 
 impl TrackSearch<'_> {
+    /// Moves on which something comes nearer than `limit_mm`, or may, in their order.
+    fn short(&self, limit_mm: f64) -> Vec<usize> {
+        let moves = self.track.stands.len().saturating_sub(1);
+        let short = |first: usize| {
+            let (mut out, mut hint) = (Vec::new(), u32::MAX);
+            let mut runs = Run::all_of(first..(first + LONGEST_RUN).min(moves));
+            while let Some(run) = runs.pop() {
+                if run.count() > 1 {
+                    if !self.clears(&run, limit_mm, &mut hint) {
+                        runs.extend(run.cut());
+                    }
+                } else if self.may_fall_short(run.first, limit_mm) {
+                    out.push(run.first);
+                }
+            }
+            out
+        };
+        parallel::map((0..moves).step_by(LONGEST_RUN), short).concat()
+    }
+
     /// Whether something comes nearer than `limit_mm` at some time of a move, or may: it is halved
     /// until one or the other is known.
     fn may_fall_short(&self, row: usize, limit_mm: f64) -> bool {
@@ -229,15 +344,14 @@ pub(super) fn short_stands(stands: &[Stand], a: &Apart, more_mm: f64, options: &
     let limit = options.least_clearance(a.asked_mm) + more_mm;
     // What the check takes off what it has measured.
     let needed = (limit + resolution).max(limit / (1.0 - share));
-    let among = |on: &Part, moves: Vec<usize>| -> Vec<usize> {
-        let track = Track { stands, wanted: None };
-        let motion = TrackSearch { part: on, track, segments: &a.segments, resolution, share };
-        let short = |row: &usize| motion.may_fall_short(*row, needed + on.deflection_mm);
-        parallel::filter(moves, short)
-    };
-    let short = among(a.part, (0..stands.len().saturating_sub(1)).collect());
+    let track = Track { stands, wanted: None };
+    let on = |part| TrackSearch { part, track, segments: &a.segments, resolution, share };
+    let short = on(a.part).short(needed + a.part.deflection_mm);
     match a.part.sharper().filter(|_| !short.is_empty()) {
-        Some(sharper) => among(sharper, short),
+        Some(sharper) => {
+            let limit_mm = needed + sharper.deflection_mm;
+            parallel::filter(short, |row| on(sharper).may_fall_short(*row, limit_mm))
+        }
         None => short,
     }
 }
@@ -379,8 +493,7 @@ pub(super) fn check(plan: &Plan, blade: &Blade, apart: &[Apart], options: &Verif
     for a in apart {
         let limit = options.least_clearance(a.asked_mm);
         let mut kept = kept(track, a.part, &a.segments, limit, options);
-        let reach_mm = a.segments.iter().map(|s| s.z1.hypot(s.r0.max(s.r1))).fold(0.0, f64::max);
-        kept.least_mm -= bent_rad * reach_mm;
+        kept.least_mm -= bent_rad * a.segments.iter().map(reach_mm).fold(0.0, f64::max);
         if a.obstacle.is_none() {
             least = least.min(kept.least_mm);
         }
@@ -421,5 +534,86 @@ fn judge(a: &Apart, kept: &NearestApproach, limit: f64, plan: &Plan, blade: &Bla
         turn: point.map(|_| plan.toolpath.locations[near.row].turn),
         point_mm: point.map(|p| [p.x, p.y, p.z]),
         ..Check::at_most(id, &quantity, kept.least_mm, limit, "mm", note)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::artifact::Cone;
+    use crate::sample;
+
+    /// A wavy way about the sample's cylinder, with a lean that changes by `lean_rad`. The shares
+    /// are of waves, swing, pace and distance.
+    fn stands(shares: [f64; 4], count: usize, lean_rad: f64) -> Vec<Stand> {
+        let [wave, swing, pace] = [0.5 * shares[0], 0.3 * shares[1], 0.002 + 0.05 * shares[2]];
+        let radius = sample::PART_RADIUS + sample::tool().radius_mm + 0.5 * shares[3];
+        let stand = |k: usize| {
+            let azimuth = pace * k as f64;
+            let r = radius + wave * (7.0 * azimuth).sin();
+            let centre = Point::new(30.0 - azimuth, r * azimuth.cos(), r * azimuth.sin());
+            let lean = sample::B_RAD + lean_rad * (5.0 * azimuth).cos();
+            Stand { centre, cone: Cone::about_blade(lean), theta: azimuth + 0.3 + swing * (9.0 * azimuth).sin() }
+        };
+        (0..count).map(stand).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+        #[test]
+        fn runs_find_what_single_moves_find(
+            shares in prop::array::uniform4(0.0..1.0f64), count in 2..250usize, lean_rad in prop::sample::select(vec![0.0, 0.05]),
+        ) {
+            let (blade, tool) = (sample::blade(), sample::tool());
+            let (stands, segments) = (stands(shares, count, lean_rad), tool.segments());
+            let track = Track { stands: &stands, wanted: None };
+            let motion = TrackSearch { part: &blade.part, track, segments: &segments, resolution: 0.0005, share: 0.001 };
+            let near = motion.whole().found_mm;
+            // The same, every move by itself.
+            let each = |best: Nearest, row: usize| motion.over(row..row + 1, best);
+            let singly = (0..count - 1).fold(Nearest::far(FAR_MM), each).found_mm;
+            prop_assert!((near - singly).abs() <= motion.may_miss(singly), "{near} {singly}");
+            for more in [-0.3, 0.02, 0.1, 0.4] {
+                let limit = singly + more;
+                let one_by_one: Vec<usize> = (0..count - 1).filter(|row| motion.may_fall_short(*row, limit)).collect();
+                prop_assert_eq!(one_by_one.is_empty(), more < 0.0);
+                prop_assert_eq!(motion.short(limit), one_by_one);
+            }
+        }
+
+        /// The gauge point is always as near to some place of the one move.
+        #[test]
+        fn no_point_of_the_tool_leaves_a_run_farther_than_it_says(
+            shares in prop::array::uniform4(0.0..1.0f64), row in 0..16usize, share in 0.0..=1.0f64,
+        ) {
+            let mut stands = stands(shares, 17, 0.05);
+            let off_mm = bend_mm(&stands, 80.0).unwrap();
+            let (first, last) = (stands[0], stands[16]);
+            let gauge = |s: &Stand| s.centre + s.axis() * 80.0;
+            let here = gauge(&stands[row].towards(&stands[row + 1], share));
+            let there = |k: u32| (gauge(&first.towards(&last, f64::from(k) / 2000.0)) - here).norm();
+            let off = (0..=2000).map(there).fold(f64::INFINITY, f64::min);
+            prop_assert!(off <= off_mm + 0.01, "{off} {off_mm}");
+            stands[2].cone = Cone::new(Vector::new(1.0, 0.1, 0.0), Vector::y(), 0.1).unwrap();
+            prop_assert!(bend_mm(&stands, 80.0).is_none());
+        }
+    }
+
+    #[test]
+    fn runs_are_cut_into_all_their_moves_in_order() {
+        for (from, to) in [(0, 1), (5, 69), (0, 128), (3, 200), (7, 7)] {
+            let (mut runs, mut moves) = (Run::all_of(from..to), Vec::new());
+            while let Some(run) = runs.pop() {
+                if run.count() > 1 {
+                    runs.extend(run.cut());
+                } else {
+                    moves.push(run.first);
+                }
+            }
+            assert_eq!(moves, (from..to).collect::<Vec<_>>());
+        }
     }
 }
