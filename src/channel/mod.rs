@@ -113,6 +113,9 @@ const FINE_RAD: f64 = 5e-5;
 /// Triangles of that finer tree, about.
 const FINE_MOST: usize = 250_000;
 
+/// With a wider free interval a place needs no finer index, rad.
+pub const NARROW_RAD: f64 = 0.05;
+
 impl<'a> Surroundings<'a> {
     /// Indexes the part and the obstacles; `radius_mm` is the ball's radius, which only decides how
     /// finely large triangles are cut.
@@ -300,6 +303,33 @@ pub fn plan_among(
     options: &ChannelOptions,
     observer: &dyn Observer,
 ) -> Result<Channel> {
+    plan_with(surroundings, None, tool, path, options, observer)
+}
+
+/// As [`plan_among`] for a ball, but where hardly anything is free ([`NARROW_RAD`]) a finer index of
+/// the same things ([`Surroundings::finer`]) decides: it lies less off the part.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_among_finer(
+    [surroundings, finer]: [&Surroundings; 2],
+    tool: &Tool,
+    path: &Toolpath,
+    options: &ChannelOptions,
+    observer: &dyn Observer,
+) -> Result<Channel> {
+    tool.ball_only("channels are made by two indices")?;
+    plan_with(surroundings, Some(finer), tool, path, options, observer)
+}
+
+fn plan_with(
+    surroundings: &Surroundings,
+    finer: Option<&Surroundings>,
+    tool: &Tool,
+    path: &Toolpath,
+    options: &ChannelOptions,
+    observer: &dyn Observer,
+) -> Result<Channel> {
     check_input(tool, path, options)?;
     ball::check(path, surroundings.blade, surroundings.obstacles)?;
     let for_search = surroundings.for_search(options);
@@ -307,11 +337,14 @@ pub fn plan_among(
     let samples = samples_of(tool, path, options);
     // What moves are proven against, the index, gives the ends then: one that lay farther out would
     // only be moved in again, and its neighbours with it.
-    let layers = if options.settings.prove_moves {
+    let mut layers = if options.settings.prove_moves {
         layers(&scene, &samples, observer)?
     } else {
         surroundings.layers(tool, &scene, (&samples, path), observer)?
     };
+    if let Some(finer) = finer {
+        widened(&mut layers, &scene, &finer.scene(tool, &for_search), &samples, observer)?;
+    }
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
     let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians())
@@ -364,6 +397,34 @@ fn layers(scene: &ObstacleScene, samples: &[Sample], observer: &dyn Observer) ->
     let mut layers = track::free_everywhere(scene, samples, observer)?;
     within_axes(scene.options, samples, &mut layers);
     Ok(layers)
+}
+
+/// Takes the free intervals of a finer index where hardly anything is free.
+fn widened(
+    layers: &mut [Vec<Free>],
+    scene: &ObstacleScene,
+    finer: &ObstacleScene,
+    samples: &[Sample],
+    observer: &dyn Observer,
+) -> Result<()> {
+    let widest = |layer: &[Free]| layer.iter().map(|f| f.hi - f.lo).fold(0.0, f64::max);
+    let narrow: Vec<usize> = (0..layers.len()).filter(|k| widest(&layers[*k]) < NARROW_RAD).collect();
+    let few: Vec<Sample> = narrow.iter().filter_map(|k| samples.get(*k).copied()).collect();
+    // What ends an interval is named by the piece of its triangle in the usual index.
+    let named = |by: Witness| match by {
+        Witness::Tool { segment, body, leaf } => {
+            let bodies = finer.bodies.get(usize::from(body)).zip(scene.bodies.get(usize::from(body)));
+            let leaf = bodies.and_then(|(own, to)| to.tree.leaf_of(own.tree.triangle(leaf))).unwrap_or(0);
+            Witness::Tool { segment, body, leaf }
+        }
+        by => by,
+    };
+    for (k, layer) in narrow.into_iter().zip(self::layers(finer, &few, observer)?) {
+        if let Some(own) = layers.get_mut(k).filter(|own| widest(&layer) > widest(own)) {
+            *own = layer.into_iter().map(|f| Free { lo_by: named(f.lo_by), hi_by: named(f.hi_by), ..f }).collect();
+        }
+    }
+    Ok(())
 }
 
 /// Cuts off what the rotary axis does not reach, and where a linear axis would be beyond its

@@ -19,6 +19,8 @@ use crate::verify::{self, VerifyOptions};
 const ALONG_RAD: f64 = 0.2;
 /// A schedule begins and ends at the program's angles within this, rad.
 const SAME_RAD: f64 = 1e-7;
+/// [`ENOUGH`] of a long course, whose schedules and times are dear.
+const LONG_ENOUGH: f64 = 0.003;
 /// How often walls are moved in for what happens between places.
 const MOST_PROOFS: usize = 4;
 
@@ -198,7 +200,9 @@ impl Scene<'_> {
         Course { path, theta: places.iter().map(|p| p.stand.theta).collect(), backwards }
     }
 
-    /// The channel; by exact faces where it closes by their mesh.
+    /// The channel; by exact faces where it closes by their mesh. Along a long course those are
+    /// dear: a mesh that is nearer to them comes before, where hardly anything is free and then
+    /// everywhere. Where that leaves a place no angle at all the faces would not either.
     fn channel(&self, path: &Toolpath, settings: &ChannelSettings, prove_at: &[usize]) -> Result<Channel> {
         let (tool, machine) = (self.program.bench.tool, self.program.bench.machine);
         let stock_mm = path.stock_mm.max(0.0);
@@ -211,14 +215,27 @@ impl Scene<'_> {
         let usual = usual.with(|s| {
             (s.clearance_mm, s.holder_clearance_mm) = (s.clearance_mm + stock_mm, s.holder_clearance_mm + stock_mm);
         });
-        let planned = channel::plan_among(&self.around.usual, tool, path, &usual, &Silent);
-        self.observer.check(Stage::Channel)?;
-        match (&self.around.finer, planned) {
-            (Some(finer), Err(e)) if e.kind == ErrorKind::Infeasible => {
-                channel::plan_among(finer, tool, path, &usual.with(|s| s.exact_ends = true), &Silent)
-            }
-            (_, planned) => planned,
+        let Arounds { usual: coarse, finer: Some(finer) } = self.around else {
+            return channel::plan_among(&self.around.usual, tool, path, &usual, &Silent);
+        };
+        let exact = usual.clone().with(|s| s.exact_ends = true);
+        let by_exact = || channel::plan_among(finer, tool, path, &exact, &Silent);
+        let is_infeasible = |planned: &Result<Channel>| planned.as_ref().is_err_and(|e| e.kind == ErrorKind::Infeasible);
+        if !sparse::is_long(path) {
+            let planned = channel::plan_among(coarse, tool, path, &usual, &Silent);
+            self.observer.check(Stage::Channel)?;
+            return if is_infeasible(&planned) { by_exact() } else { planned };
         }
+        let may_open = |planned: &Result<Channel>| is_infeasible(planned) && !planned.as_ref().is_err_and(is_taken);
+        let mut planned = channel::plan_among_finer([coarse, finer], tool, path, &usual, &Silent);
+        for next in [&usual, &exact] {
+            self.observer.check(Stage::Channel)?;
+            if !may_open(&planned) {
+                break;
+            }
+            planned = channel::plan_among(finer, tool, path, next, &Silent);
+        }
+        planned
     }
 
     /// The fastest of the schedules that are made for the kind that is asked for, with the motion
@@ -252,7 +269,8 @@ impl Scene<'_> {
         // Where one has nearly the least time that the speeds allow, no other is made.
         let steps = places.windows(2).map(|w| (w[1].stand.centre - w[0].stand.centre).norm());
         let least_s: f64 = steps.zip(&asked).map(|(mm, speed)| mm / speed).sum();
-        let is_enough = |s: &Schedule| moved(s, false).is_ok_and(|motion| motion.time_s <= (1.0 + ENOUGH) * least_s);
+        let enough = if sparse::is_long(path) { LONG_ENOUGH } else { ENOUGH };
+        let is_enough = |s: &Schedule| moved(s, false).is_ok_and(|motion| motion.time_s <= (1.0 + enough) * least_s);
         let schedules = || self.schedules(course, channel, ends, most_mm_min, &is_enough);
         let made = timed(self.observer, Stage::Schedule, schedules)?;
         // Jerk is dear: the few that are fastest without it are looked at with it, where they keep
@@ -350,6 +368,11 @@ impl Scene<'_> {
         let apart = verify::apart(self.blade, &[], self.program.bench.tool, &options);
         verify::short_moves(path, &schedule.theta, &apart, &options)
     }
+}
+
+/// The channel closes because some place has no free angle at all.
+fn is_taken(e: &Error) -> bool {
+    matches!(e.infeasible.as_deref(), Some(Infeasible::NoFreeAngle { .. }))
 }
 
 /// θ grows counter-clockwise about the blade axis: a pass along which the normal of the part turns

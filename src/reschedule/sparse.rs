@@ -16,10 +16,15 @@ const AT_ENDS: usize = 8;
 /// Angles that differ by less are the same, rad: rounding of a cubic is no turning back.
 const SAME_RAD: f64 = 1e-9;
 
+/// So many places are more than are scheduled.
+pub(super) fn is_long(path: &Toolpath) -> bool {
+    path.locations.len() > MOST
+}
+
 /// The course at some of its places; `None` where it has few, or where θ may turn back.
 pub(super) fn course(path: &Toolpath, channel: &Channel) -> Option<(Toolpath, Channel)> {
     let n = path.locations.len();
-    if n <= MOST || n != channel.rows.len() || !channel.sweep.is_round() {
+    if !is_long(path) || n != channel.rows.len() || !channel.sweep.is_round() {
         return None;
     }
     let kept = kept(n);

@@ -2,7 +2,10 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
-use super::super::{ChannelOptions, FreeInterval, Surroundings, intervals};
+use super::super::arcs::Witness;
+use super::super::{
+    ChannelOptions, Free, FreeInterval, NARROW_RAD, Surroundings, intervals, layers, samples_of, widened,
+};
 use super::world::{blade, inside_by, tool};
 use crate::artifact::Cones;
 use crate::artifact::channel::Binding;
@@ -180,4 +183,51 @@ fn ends_keep_clear_of_faces_as_published() {
         }
     }
     assert!(ends > 10, "{ends}");
+}
+
+/// Where a finer index decides, ends lie where it has them, named by triangles of the part; all
+/// other places stay as they are.
+#[test]
+fn a_finer_index_decides_where_hardly_anything_is_free() {
+    let turned = UnitQuaternion::from_euler_angles(0.7, 1.5, 0.3);
+    let pose = Isometry3::from_parts(Translation3::new(5.0, 3.0, -4.0), turned);
+    let surface = torus(30.0, 9.0);
+    let face =
+        Face { name: "f".into(), kind: SurfaceKind::BSpline, surface: surface.clone(), reversed: false, loops: vec![] };
+    let part = Part::from_brep(Brep { faces: vec![face], edges: vec![] }, 0.05, &Silent).unwrap();
+    let mut blade = blade(Mesh::default());
+    blade.part = part.moved(&pose);
+    let t = tool(3.0, 4.0);
+    let path = path_of(touching(&blade.part, &surface, &pose, 3.0).into_iter().map(|(l, _)| l).collect(), 3.0);
+    let usual = Surroundings::new(&blade, &[], 3.0).unwrap();
+    let finer = Surroundings::new(&blade, &[], 3.0).unwrap().finer(3.0);
+    let widest = |layer: &[Free]| layer.iter().map(|f| f.hi - f.lo).fold(0.0, f64::max);
+    let (mut opened, mut widened_at, mut stayed) = (0, 0, 0);
+    for k in 0..40 {
+        let clearance = 0.1 * f64::from(k);
+        let o = ChannelOptions::default().with(|s| (s.clearance_mm, s.holder_clearance_mm) = (clearance, clearance));
+        let samples = samples_of(&t, &path, &o);
+        let [coarse, fine] = [&usual, &finer].map(|around| around.scene(&t, &o));
+        let [before, by_finer] = [&coarse, &fine].map(|scene| layers(scene, &samples, &Silent).unwrap());
+        let mut after = before.clone();
+        widened(&mut after, &coarse, &fine, &samples, &Silent).unwrap();
+        for ((before, by_finer), after) in before.iter().zip(&by_finer).zip(&after) {
+            if widest(before) >= NARROW_RAD || widest(by_finer) <= widest(before) {
+                stayed += 1;
+                assert_eq!(before, after);
+                continue;
+            }
+            widened_at += 1;
+            opened += usize::from(before.is_empty());
+            let ends = |layer: &[Free]| layer.iter().flat_map(|f| [f.lo, f.hi]).collect::<Vec<_>>();
+            // Each index is searched from another place, to the tolerance.
+            let off = ends(after).iter().zip(ends(by_finer)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(after.len() == by_finer.len() && off <= o.settings.tolerance_deg.to_radians(), "{off}");
+            for f in after {
+                let Witness::Tool { body: 0, leaf, .. } = f.lo_by else { continue };
+                assert!((coarse.bodies[0].tree.triangle(leaf) as usize) < blade.part.mesh.triangles.len());
+            }
+        }
+    }
+    assert!(opened > 3 && widened_at > 10 && stayed > 100, "{opened} {widened_at} {stayed}");
 }
