@@ -306,8 +306,8 @@ pub fn plan_among(
     plan_with(surroundings, None, tool, path, options, observer)
 }
 
-/// As [`plan_among`] for a ball, but where hardly anything is free ([`NARROW_RAD`]) a finer index of
-/// the same things ([`Surroundings::finer`]) decides: it lies less off the part.
+/// As [`plan_among`] for a ball, but where hardly anything is free ([`NARROW_RAD`]) a finer index
+/// of the same things ([`Surroundings::finer`]) decides: it lies less off the part.
 ///
 /// # Errors
 /// As [`plan`].

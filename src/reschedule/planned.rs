@@ -220,7 +220,8 @@ impl Scene<'_> {
         };
         let exact = usual.clone().with(|s| s.exact_ends = true);
         let by_exact = || channel::plan_among(finer, tool, path, &exact, &Silent);
-        let is_infeasible = |planned: &Result<Channel>| planned.as_ref().is_err_and(|e| e.kind == ErrorKind::Infeasible);
+        let is_infeasible =
+            |planned: &Result<Channel>| planned.as_ref().is_err_and(|e| e.kind == ErrorKind::Infeasible);
         if !sparse::is_long(path) {
             let planned = channel::plan_among(coarse, tool, path, &usual, &Silent);
             self.observer.check(Stage::Channel)?;

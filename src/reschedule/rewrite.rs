@@ -447,16 +447,18 @@ impl<'a> Rewriter<'a> {
         }
     }
 
-    /// The least time in which the axes can make a move, s; 0 where the line asked for more than
-    /// they can before, too.
+    /// The least time of a move in which no axis is asked for more than it can, s, or than the line
+    /// asked of it in `seconds`.
     fn least_s(&self, own: &Moved, seconds: f64, (from, to): (&Axes, &Axes)) -> f64 {
         let Program { bench, .. } = self.program;
-        let least = |m: &Moved| {
+        let ways = |m: &Moved| {
             let [a, b] = [0.0, 1.0].map(|f| m.axes(f, bench.tool, bench.machine));
-            let axes = bench.machine.axes().iter().enumerate();
-            axes.map(|(k, axis)| (b[k] - a[k]).abs() / axis.limits.velocity).fold(0.0, f64::max)
+            (0..bench.machine.axes().len()).map(move |k| (b[k] - a[k]).abs())
         };
-        if least(own) > seconds { 0.0 } else { least(&Moved { from: *from, to: *to, bend: None, ..*own }) }
+        let new = ways(&Moved { from: *from, to: *to, bend: None, ..*own });
+        let least =
+            |((was, way), axis): ((f64, f64), &crate::machine::Axis)| way / axis.limits.velocity.max(was / seconds);
+        ways(own).zip(new).zip(bench.machine.axes()).map(least).fold(0.0, f64::max)
     }
 
     /// The feed with which a move takes its time; that of the block where the move takes none.

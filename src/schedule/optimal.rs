@@ -12,7 +12,7 @@
 
 use super::bound;
 use super::corridor::Corridor;
-use super::rounds::{Goal, Solved, SolverUnits, pressure, round, values};
+use super::rounds::{EXCESS, Goal, Solved, SolverUnits, pressure, round, trial, values};
 use super::{Pace, ScheduleOptions, bezier, by_turn, check, curve, piecewise};
 use crate::artifact::schedule::{Measure, Schedule, ScheduleKind, Scope};
 use crate::artifact::{Channel, Toolpath};
@@ -21,8 +21,12 @@ use crate::observe::Observer;
 
 /// What the second round may add to the least peak, as a share.
 const SPARE: f64 = 1e-3;
-/// Samples of the trial that finds the size of the numbers.
+/// Samples of the trial that finds the size of the numbers; where nothing goes between the walls at
+/// these, so many times as many.
 const TRIAL: usize = 3000;
+const MORE: usize = 4;
+/// Rows of a trial may be missed by this where there are so many joints that none can be added.
+const TRIAL_EXCESS: f64 = 1e-5;
 /// Blocks of a turn with a factor of their own, for the least time.
 const BLOCKS: f64 = 48.0;
 /// Intervals at least, and at most where locations are too far apart.
@@ -156,25 +160,26 @@ fn refining(
 /// their samples.
 fn units(walls: &Corridor, turns: usize, third: bool) -> Option<SolverUnits> {
     let mut scale = SolverUnits::of(walls, turns);
-    let thin = thinned(walls, TRIAL);
-    let mut on = &thin;
-    let mut trial = |scale: &SolverUnits, third| {
-        let goal = Goal::Peak { third };
-        let found = round(on, scale, &goal, 1e-4);
-        if found.is_some() || on.s.len() == walls.s.len() {
-            return found;
+    let (mut on, mut most) = (thinned(walls, TRIAL), TRIAL);
+    let excess = if MORE * walls.s.len() > FURTHER { TRIAL_EXCESS } else { EXCESS };
+    let mut sized = |scale: &SolverUnits, third| {
+        loop {
+            let found = trial(&on, scale, third, excess);
+            if found.is_some() || on.s.len() == walls.s.len() {
+                return found;
+            }
+            // Between walls that move by more than their distance from one of these samples to the
+            // next nothing goes, though something does between more of them.
+            most *= MORE;
+            on = if most < walls.s.len() { thinned(walls, most) } else { walls.clone() };
         }
-        // Between walls that move by more than their distance from one of these samples to the next
-        // nothing goes, though something does between all of them.
-        on = walls;
-        round(on, scale, &goal, 1e-4)
     };
     // Twice, since the first trial may be far off in size.
     for _ in 0..2 {
-        scale.second *= trial(&scale, false)?.v[0][3].clamp(1e-4, 1e4);
+        scale.second *= sized(&scale, false)?.v[0][3].clamp(1e-4, 1e4);
     }
     if third {
-        scale.third *= trial(&scale, true)?.v[0][3].clamp(1e-4, 1e4);
+        scale.third *= sized(&scale, true)?.v[0][3].clamp(1e-4, 1e4);
     }
     Some(scale)
 }

@@ -18,6 +18,8 @@ const ROUND: f64 = 3e-3;
 const PARTS: f64 = 20.0;
 /// Share of the slope that full feed allows which counts as standing still.
 const STANDING: f64 = 0.01;
+/// Rows may be missed by this, rad where they are walls.
+pub(super) const EXCESS: f64 = 1e-8;
 /// What the mean factor may be above the least, as a share, for the least time.
 const PACE_GAP: f64 = 1e-2;
 
@@ -115,6 +117,15 @@ pub(super) fn pressure(walls: &Corridor, found: &Solution<X, V>) -> Vec<f64> {
     out
 }
 
+/// One run of the solver for the size of what it finds alone: rows may be missed by `excess`.
+/// `None` where they cannot be met.
+pub(super) fn trial(walls: &Corridor, scale: &SolverUnits, third: bool, excess: f64) -> Option<Solution<X, V>> {
+    let gap = 1e-4;
+    let (found, count) = run(walls, scale, &Goal::Peak { third }, gap, None)?;
+    let is_near = found.excess < excess && found.complementarity * (count as f64) < 1e3 * gap;
+    is_near.then_some(found)
+}
+
 /// One run of the solver. `None` where the rows cannot be met.
 pub(super) fn round(walls: &Corridor, scale: &SolverUnits, goal: &Goal, gap: f64) -> Option<Solution<X, V>> {
     round_from(walls, scale, goal, gap, None)
@@ -128,6 +139,22 @@ pub(super) fn round_from(
     gap: f64,
     from: Option<[f64; 3]>,
 ) -> Option<Solution<X, V>> {
+    let (found, count) = run(walls, scale, goal, gap, from)?;
+    let enough = match goal {
+        Goal::Pace { .. } => PACE_GAP * mean_factor(walls, scale, &found),
+        _ => 1e3 * gap,
+    };
+    (found.excess < EXCESS && found.complementarity * (count as f64) < enough).then_some(found)
+}
+
+/// What the solver comes to, and how many rows it had.
+fn run(
+    walls: &Corridor,
+    scale: &SolverUnits,
+    goal: &Goal,
+    gap: f64,
+    from: Option<[f64; 3]>,
+) -> Option<(Solution<X, V>, usize)> {
     let n = walls.s.len();
     let mut all = Vec::with_capacity(n);
     for i in 0..n {
@@ -155,12 +182,7 @@ pub(super) fn round_from(
         iterations: 150,
         ..Options::default()
     };
-    let found = stages::solve(&mut all, &start, &(), &options)?;
-    let enough = match goal {
-        Goal::Pace { .. } => PACE_GAP * mean_factor(walls, scale, &found),
-        _ => 1e3 * gap,
-    };
-    (found.excess < 1e-8 && found.complementarity * (count as f64) < enough).then_some(found)
+    Some((stages::solve(&mut all, &start, &(), &options)?, count))
 }
 
 /// The mean of γ over the path, in its units.
