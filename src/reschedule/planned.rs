@@ -219,19 +219,15 @@ impl Scene<'_> {
             return channel::plan_among(&self.around.usual, tool, path, &usual, &Silent);
         };
         let exact = usual.clone().with(|s| s.exact_ends = true);
-        let by_exact = || channel::plan_among(finer, tool, path, &exact, &Silent);
-        let is_infeasible =
-            |planned: &Result<Channel>| planned.as_ref().is_err_and(|e| e.kind == ErrorKind::Infeasible);
-        if !sparse::is_long(path) {
-            let planned = channel::plan_among(coarse, tool, path, &usual, &Silent);
+        let is_long = sparse::is_long(path);
+        let (mut planned, then) = match is_long {
+            true => (channel::plan_among_finer([coarse, finer], tool, path, &usual, &Silent), &[&usual, &exact][..]),
+            false => (channel::plan_among(coarse, tool, path, &usual, &Silent), &[&exact][..]),
+        };
+        let may_open = |e: &Error| e.kind == ErrorKind::Infeasible && !(is_long && is_taken(e));
+        for next in then {
             self.observer.check(Stage::Channel)?;
-            return if is_infeasible(&planned) { by_exact() } else { planned };
-        }
-        let may_open = |planned: &Result<Channel>| is_infeasible(planned) && !planned.as_ref().is_err_and(is_taken);
-        let mut planned = channel::plan_among_finer([coarse, finer], tool, path, &usual, &Silent);
-        for next in [&usual, &exact] {
-            self.observer.check(Stage::Channel)?;
-            if !may_open(&planned) {
+            if !planned.as_ref().is_err_and(may_open) {
                 break;
             }
             planned = channel::plan_among(finer, tool, path, next, &Silent);

@@ -212,6 +212,37 @@ fn the_speed_of_the_ball_stays() {
 }
 
 #[test]
+fn no_axis_is_asked_for_more_than_it_can_or_was_asked_for() {
+    let language = language(Grammar::Gcode, Programmed::Tip);
+    let text = program(helix, 721, language).replace("F2500", "F40000");
+    let made = run(&text, language, &options(ScheduleKind::Optimal)).unwrap();
+    assert_eq!(made.lines_added, 0);
+    let (tool, machine) = (sample::tool(), Machine::demo().unwrap());
+    let bench = Bench { language, zero: Zero::default(), tool: &tool, machine: &machine };
+    // Of every line: the velocity that its F asks of each axis.
+    let asked = |text: &str| -> Vec<Vec<f64>> {
+        let moves = program::follow(&program::read(text, language).unwrap().blocks, &bench).unwrap();
+        let of = |m: &Moved| {
+            let ([from, to], seconds) = ([0.0, 1.0].map(|f| m.axes(f, &tool, &machine)), m.seconds?);
+            Some((0..machine.axes().len()).map(|k| (to[k] - from[k]).abs() / seconds).collect())
+        };
+        moves.iter().filter_map(of).collect()
+    };
+    let (old, new) = (asked(&text), asked(&made.text));
+    assert_eq!(old.len(), new.len());
+    let mut limited = 0;
+    for (line, (old, new)) in old.iter().zip(&new).enumerate() {
+        for ((axis, old), new) in machine.axes().iter().zip(old).zip(new) {
+            let most = axis.limits.velocity.max(*old);
+            // F is rounded within 0.5 %, positions to a tenth of a micrometre.
+            assert!(*new <= 1.01 * most, "line {line}, {}: {new}, was {old}", axis.name);
+            limited += usize::from(*old <= axis.limits.velocity && *new > 0.99 * axis.limits.velocity);
+        }
+    }
+    assert!(limited > 10, "{limited}");
+}
+
+#[test]
 fn passes_to_and_fro_are_stretches_of_their_own() {
     let language = language(Grammar::Apt, Programmed::Tip);
     let text = program(zigzag, 801, language);

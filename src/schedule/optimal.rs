@@ -21,9 +21,10 @@ use crate::observe::Observer;
 
 /// What the second round may add to the least peak, as a share.
 const SPARE: f64 = 1e-3;
-/// Samples of the trial that finds the size of the numbers; where nothing goes between the walls at
-/// these, so many times as many.
+/// Samples of the trial that finds the size of the numbers.
 const TRIAL: usize = 3000;
+/// Where nothing goes between the walls, so many times as many samples of the trial, or joints, are
+/// taken.
 const MORE: usize = 4;
 /// Rows of a trial may be missed by this where there are so many joints that none can be added.
 const TRIAL_EXCESS: f64 = 1e-5;
@@ -148,7 +149,7 @@ fn refining(
             Some(scale) => solve(path, walls, options, pace, &scale, observer),
             None => Err(stuck(&walls, options)),
         };
-        parts *= 4;
+        parts *= MORE;
         match found {
             Err(e) if e.kind == ErrorKind::Infeasible && parts <= 64 && n * parts <= most => {}
             found => return found,

@@ -139,9 +139,13 @@ fn bend_mm(stands: &[Stand], reach_mm: f64) -> Option<f64> {
         let share = if length2 > 0.0 { (s.centre - first.centre).dot(&chord) / length2 } else { even };
         let there = first.towards(last, share.clamp(0.0, 1.0));
         let turned = (s.theta - there.theta).abs() + (s.cone.lean_rad - there.cone.lean_rad).abs();
-        most = most.max((s.centre - there.centre).norm() + turned * reach_mm);
+        let off = (s.centre - there.centre).norm() + turned * reach_mm;
+        if !off.is_finite() {
+            return None;
+        }
+        most = most.max(off);
     }
-    most.is_finite().then_some(most)
+    Some(most)
 }
 
 /// The motion as it is looked at, and the tool's segments.
@@ -219,17 +223,10 @@ impl<'a> TrackSearch<'a> {
         let mut best = start;
         let mut hint = start.triangle;
         let mut runs = Run::all_of(rows);
-        while let Some(run) = runs.pop() {
-            // Half of what may be missed is left for telling points apart and for the move itself.
-            let cap = |best: &Nearest| best.found_mm - 0.5 * self.may_miss(best.found_mm);
-            if run.count() > 1 {
-                if !self.clears(&run, cap(&best), &mut hint) {
-                    runs.extend(run.cut());
-                }
-                continue;
-            }
-            let row = run.first;
-            let mut open = if self.track.wants(row) { vec![(0.0, 1.0, 0)] } else { Vec::new() };
+        // Half of what may be missed is left for telling points apart and for the move itself.
+        let cap = |best: &Nearest| best.found_mm - 0.5 * self.may_miss(best.found_mm);
+        while let Some(row) = self.next_open(&mut runs, cap(&best), &mut hint) {
+            let mut open = vec![(0.0, 1.0, 0)];
             while let Some((t0, t1, depth)) = open.pop() {
                 let cap = cap(&best);
                 let (lower, seen) = self.least(&self.place(row, t0, t1), cap, hint, row);
@@ -250,6 +247,20 @@ impl<'a> TrackSearch<'a> {
             }
         }
         best
+    }
+
+    /// The next move that is wanted and no run shows to be clear of `limit_mm`.
+    fn next_open(&self, runs: &mut Vec<Run>, limit_mm: f64, hint: &mut u32) -> Option<usize> {
+        while let Some(run) = runs.pop() {
+            if run.count() == 1 {
+                if self.track.wants(run.first) {
+                    return Some(run.first);
+                }
+            } else if !self.clears(&run, limit_mm, hint) {
+                runs.extend(run.cut());
+            }
+        }
+        None
     }
 
     /// Whether nothing is nearer than `limit_mm` on any move of a run, as far as one straight move
@@ -289,18 +300,10 @@ impl TrackSearch<'_> {
     fn short(&self, limit_mm: f64) -> Vec<usize> {
         let moves = self.track.stands.len().saturating_sub(1);
         let short = |first: usize| {
-            let (mut out, mut hint) = (Vec::new(), u32::MAX);
             let mut runs = Run::all_of(first..(first + LONGEST_RUN).min(moves));
-            while let Some(run) = runs.pop() {
-                if run.count() > 1 {
-                    if !self.clears(&run, limit_mm, &mut hint) {
-                        runs.extend(run.cut());
-                    }
-                } else if self.may_fall_short(run.first, limit_mm) {
-                    out.push(run.first);
-                }
-            }
-            out
+            let mut hint = u32::MAX;
+            let open = std::iter::from_fn(|| self.next_open(&mut runs, limit_mm, &mut hint));
+            open.filter(|row| self.may_fall_short(*row, limit_mm)).collect::<Vec<_>>()
         };
         parallel::map((0..moves).step_by(LONGEST_RUN), short).concat()
     }
