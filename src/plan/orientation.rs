@@ -23,6 +23,8 @@ const MOST_RAD: [f64; 2] = [1.31, 1.75];
 /// Cells are free where the arc on their latitude goes on by this either side, as a share of a
 /// cell; where it is narrow, by a share of it.
 const INSIDE: f64 = 0.5;
+/// How often the way is sought with more stations.
+const MOST_SEARCHES: usize = 40;
 /// Ends of arcs are found to this share of a cell.
 const CELL_SHARE: f64 = 0.05;
 /// What latitude and longitude keep from the walls while the other is held, degrees, but at most a
@@ -88,14 +90,52 @@ fn five_axis(
     let step_rad = grid_deg.to_radians();
     let along_blade = || Error::usage(Stage::Channel, "the rotor axis is along the blade");
     let grid = Grid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
-    let stations = orient::stations(path, STATION_MM, STATION_RAD);
-    let few = path.at(&stations);
-    let free = free_cells(setup, &grid, &few, around, observer)?;
-    let s_mm: Vec<f64> = few.locations.iter().map(|l| l.s_mm).collect();
-    let way = orient::least_way(&grid, &s_mm, &free).map_err(|k| closed(path, stations[k], free[k].contains(&true)))?;
+    let mut stations = orient::stations(path, STATION_MM, STATION_RAD);
+    let mut free = free_cells(setup, &grid, &path.at(&stations), around, observer)?;
+    for _ in 0..MOST_SEARCHES {
+        let found = along_way(setup, path, (&grid, &stations, &free), around, observer);
+        // What is free may change faster than stations stand: where the way closes between two of
+        // them, it is looked at too.
+        let Some(more) = found.as_ref().err().and_then(|e| between(&stations, e)) else { return found };
+        let of_more = free_cells(setup, &grid, &path.at(&more), around, observer)?;
+        for (row, cells) in more.into_iter().zip(of_more) {
+            let at = stations.partition_point(|s| *s < row);
+            stations.insert(at, row);
+            free.insert(at, cells);
+        }
+    }
+    along_way(setup, path, (&grid, &stations, &free), around, observer)
+}
+
+/// The location at which a channel closes, where it stands between two stations, and those midway
+/// to either.
+fn between(stations: &[usize], e: &Error) -> Option<Vec<usize>> {
+    let row = match e.infeasible.as_deref()? {
+        Infeasible::NoFreeAngle { at, .. } | Infeasible::ChannelCloses { at, .. } => at.location,
+        Infeasible::ChannelClosesOnMove { after, .. } => after.location,
+        _ => return None,
+    };
+    let next = stations.partition_point(|s| *s < row);
+    let (before, after) = (*stations.get(next.checked_sub(1)?)?, *stations.get(next)?);
+    let mut more = vec![before.midpoint(row), row, row.midpoint(after)];
+    more.dedup();
+    more.retain(|r| *r > before && *r < after);
+    (after > row).then_some(more)
+}
+
+/// The path with cones along the least way through what is free at stations, and its channel.
+fn along_way(
+    setup: &Setup,
+    path: &Toolpath,
+    (grid, stations, free): (&Grid, &[usize], &[orient::FreeCells]),
+    around: &Surroundings,
+    observer: &dyn Observer,
+) -> Result<(Toolpath, Channel)> {
+    let s_mm: Vec<f64> = stations.iter().map(|row| path.locations[*row].s_mm).collect();
+    let way = orient::least_way(grid, &s_mm, free).map_err(|k| closed(path, stations[k], free[k].contains(&true)))?;
     observer.check(Stage::Channel)?;
     let latitude: Vec<f64> = way.iter().map(|[_, latitude]| *latitude).collect();
-    let latitude = orient::between_stations(path, &stations, &latitude);
+    let latitude = orient::between_stations(path, stations, &latitude);
     // Longitude on the latitudes of the way, then latitude on the longitudes found.
     let parallels = |latitude: &[f64]| Cones::along(latitude.iter().map(|l| grid.parallel(*l)).collect());
     let longitude = curve(setup, path, (parallels(&latitude), MOST_RAD[1]), around, observer)?;
