@@ -5,6 +5,8 @@
 //! the tool axis leads the normal by [`LEAD_RAD`], the channel is that ± [`WIDTH_RAD`].
 #![allow(clippy::unwrap_used)]
 
+use nalgebra::Vector4;
+
 use crate::artifact::axis_motion::AxisMotion;
 use crate::artifact::blade::{Blade, Diagnosis, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
@@ -15,14 +17,18 @@ use crate::artifact::report::{Check, CheckReport};
 use crate::artifact::schedule::{Schedule, ScheduleKind};
 use crate::artifact::section::{AlteredPoint, Section, SectionLoop, Side};
 use crate::artifact::toolpath::{CutterLocation, Toolpath, Turn};
+use crate::artifact::wheel::{ModelWheel, Wheel};
 use crate::artifact::{Axes, AxisRows, CheckId, Cones, ProgrammedCurve, ToolPart};
 use crate::error::EndReason;
+use crate::geometry::brep::{Brep, Face, SurfaceKind};
 use crate::geometry::mesh::Mesh;
+use crate::geometry::nurbs::{NurbsSurface, shapes};
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::lead::{self, End, LeadOptions};
 use crate::machine::Machine;
 use crate::numerics::spline::{CubicSpline, SplineEnds};
+use crate::observe::Silent;
 use crate::tool::{HolderStage, Tool};
 
 /// Radius of the part, mm.
@@ -368,4 +374,64 @@ pub fn sections() -> Vec<Section> {
         }
     };
     [20.0, 30.0, 40.0].map(|x_mm| Section { x_mm, loops: vec![one(x_mm)] }).into()
+}
+
+/// Radius of the hub of [`plates`], mm.
+pub const HUB_RADIUS: f64 = 40.0;
+/// From where to where that hub goes along z, the rotor axis, mm.
+pub const HUB_Z: [f64; 2] = [-30.0, 30.0];
+/// From where to where its blades go, mm.
+pub const PLATES_Z: [f64; 2] = [-15.0, 15.0];
+
+/// A wheel of exact faces: a round hub with plates along the rotor axis for blades, each twice as
+/// thick as `half_mm`.
+pub fn plates(blades: u32, half_mm: f64) -> (Blade, Wheel) {
+    let length = HUB_Z[1] - HUB_Z[0];
+    let mut faces = vec![
+        shapes::cylinder(HUB_RADIUS, length),
+        shapes::disc(HUB_RADIUS, 0.0, false),
+        shapes::disc(HUB_RADIUS, length, true),
+    ];
+    let [z0, z1] = PLATES_Z.map(|z| z - HUB_Z[0]);
+    let (r0, r1) = (HUB_RADIUS - 5.0, HUB_RADIUS + 20.0);
+    for k in 0..blades {
+        let (s, c) = (std::f64::consts::TAU * f64::from(k) / f64::from(blades)).sin_cos();
+        let at = |r: f64, t: f64, z: f64| Vector4::new(r * c - t * s, r * s + t * c, z, 1.0);
+        let t = half_mm;
+        faces.extend([
+            patch([at(r0, t, z0), at(r1, t, z0), at(r0, t, z1), at(r1, t, z1)]),
+            patch([at(r0, -t, z0), at(r0, -t, z1), at(r1, -t, z0), at(r1, -t, z1)]),
+            patch([at(r0, -t, z0), at(r1, -t, z0), at(r0, t, z0), at(r1, t, z0)]),
+            patch([at(r0, -t, z1), at(r0, t, z1), at(r1, -t, z1), at(r1, t, z1)]),
+            patch([at(r1, -t, z0), at(r1, -t, z1), at(r1, t, z0), at(r1, t, z1)]),
+            patch([at(r0, -t, z0), at(r0, t, z0), at(r0, -t, z1), at(r0, t, z1)]),
+        ]);
+    }
+    let named = |surface| Face { name: "".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
+    let brep = Brep { faces: faces.into_iter().map(named).collect(), edges: vec![] };
+    let brep = brep.moved(&Rigid::translation(0.0, 0.0, HUB_Z[0]));
+    let model = ModelWheel { axis: Vector::z(), through: Point::origin(), blades, whole: true };
+    let blade = Blade {
+        name: "plates".into(),
+        part: Part::from_brep(brep, 0.02, &Silent).unwrap(),
+        model_from_blade: Rigid::identity(),
+        regions: Regions::at_heights([r0, r1], [HUB_RADIUS, r1], Some(HUB_RADIUS)),
+        wheel: Some(model),
+        ..blade()
+    };
+    (blade, Wheel { axis: Vector::z_axis(), origin: Point::origin(), blades })
+}
+
+/// A flat or twisted piece between four corners: u = 0 with v = 0 and 1, then u = 1.
+fn patch(corners: [Vector4<f64>; 4]) -> NurbsSurface {
+    let knots = || vec![0.0, 0.0, 1.0, 1.0];
+    NurbsSurface {
+        degree_u: 1,
+        degree_v: 1,
+        knots_u: knots(),
+        knots_v: knots(),
+        n_u: 2,
+        n_v: 2,
+        points: corners.to_vec(),
+    }
 }

@@ -22,6 +22,9 @@ pub enum PathKind {
     /// Every turn is the constant-scallop neighbour of the turn before it at every point.
     #[default]
     ConstantScallop,
+    /// No helix: rows over the hub of a wheel, along the passage between the blade and the next
+    /// one, to and fro.
+    HubRows,
     /// Taken from a program; no job asks for it.
     #[serde(skip_deserializing)]
     #[schemars(skip)]
@@ -29,8 +32,8 @@ pub enum PathKind {
 }
 
 impl PathKind {
-    /// All of them.
-    pub const ALL: [PathKind; 3] = [PathKind::ConstantHeight, PathKind::IsoParametric, PathKind::ConstantScallop];
+    /// Those that go round a blade.
+    pub const ROUND: [PathKind; 3] = [PathKind::ConstantHeight, PathKind::IsoParametric, PathKind::ConstantScallop];
 
     /// Its name on the command line and in files.
     pub fn name(self) -> String {

@@ -29,7 +29,24 @@ pub struct ModelWheel {
     pub whole: bool,
 }
 
+/// A hub is a surface of revolution: its normal has no part round the rotor axis. A fillet has,
+/// more than this where it is known exactly (sine).
+const ROUND: f64 = 0.01;
+/// Facets of a mesh stand up to this much round the axis (sine).
+const ROUND_FACETS: f64 = 0.1;
+/// The hub faces away from the rotor axis by at least this (cosine): no faces of the disc.
+const OUTWARDS: f64 = 0.2;
+
 impl Wheel {
+    /// Whether a place with this outward unit normal is on the hub: on a surface of revolution
+    /// about the rotor axis that faces away from it. `by_facets`: the surface is a mesh.
+    pub fn is_hub(&self, point: &Point, normal: &Vector, by_facets: bool) -> bool {
+        let Some(out) = (point - self.foot(point)).try_normalize(1e-9) else { return false };
+        let round = self.axis.cross(&out);
+        let most = if by_facets { ROUND_FACETS } else { ROUND };
+        normal.dot(&round).abs() <= most && normal.dot(&out) >= OUTWARDS
+    }
+
     /// The turn about the rotor axis that brings the blade in hand, number 1, to another one.
     pub fn turn_to(&self, blade: u32) -> Rigid {
         let angle = TAU * f64::from(blade.saturating_sub(1)) / f64::from(self.blades.max(1));
@@ -47,6 +64,23 @@ impl Wheel {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+
+    #[test]
+    fn a_cone_about_the_axis_is_a_hub_and_a_blade_is_none() {
+        let wheel = Wheel { axis: Vector::z_axis(), origin: Point::new(1.0, 2.0, 3.0), blades: 7 };
+        for k in 0..20 {
+            let (s, c) = (0.3 * f64::from(k)).sin_cos();
+            let (out, round) = (Vector::new(c, s, 0.0), Vector::new(-s, c, 0.0));
+            let at = wheel.origin + out * 40.0 + Vector::z() * f64::from(k);
+            let tilted = |by: &Vector, rad: f64| out * rad.cos() + by * rad.sin();
+            assert!(wheel.is_hub(&at, &out, false) && wheel.is_hub(&at, &tilted(&Vector::z(), 1.2), false));
+            // A face of the disc, the bore, a fillet, a blade.
+            assert!(!wheel.is_hub(&at, &Vector::z(), false) && !wheel.is_hub(&at, &-out, false));
+            assert!(!wheel.is_hub(&at, &tilted(&round, 0.02), false) && wheel.is_hub(&at, &tilted(&round, 0.02), true));
+            assert!(!wheel.is_hub(&at, &tilted(&round, 0.3), true) && !wheel.is_hub(&at, &round, true));
+        }
+        assert!(!wheel.is_hub(&wheel.origin, &Vector::x(), false));
+    }
 
     #[test]
     fn all_turns_together_come_back() {

@@ -335,6 +335,20 @@ pub enum Infeasible {
         /// Ball centres around the place, or the one nearest to it.
         near: Vec<Spot>,
     },
+    /// No hub is found between two blades of a wheel.
+    NoHub {
+        /// Where it was looked for.
+        near: Spot,
+    },
+    /// Two blades of a wheel leave no room for the ball on the hub.
+    BladesTooClose {
+        /// Where.
+        near: Spot,
+        /// Ball radius, mm.
+        radius_mm: f64,
+        /// Radius of the greatest ball that has room there, mm.
+        room_mm: f64,
+    },
     /// No turn goes round the airfoil at a height.
     NoTurnRound {
         /// Height, mm.

@@ -138,6 +138,19 @@ impl Brep {
         self
     }
 
+    /// Both, the faces and edges of the other after the own ones.
+    #[must_use]
+    pub fn and(mut self, other: Brep) -> Self {
+        let first = self.edges.len();
+        let shifted = other.faces.into_iter().map(|mut face| {
+            face.loops.iter_mut().flatten().for_each(|c| c.edge += first);
+            face
+        });
+        self.faces.extend(shifted);
+        self.edges.extend(other.edges);
+        self
+    }
+
     /// Moves everything: exact, since NURBS are invariant under rigid motion of their control
     /// points.
     #[must_use]

@@ -61,6 +61,22 @@ impl Mesh {
             })
             .sum()
     }
+    /// Both without the parameters of their corners: points, triangles and groups of the other come
+    /// after the own ones.
+    #[must_use]
+    pub fn and(self, other: Mesh) -> Self {
+        let (first, groups) = (self.points.len() as u32, self.groups());
+        let face_of = (0..self.triangles.len()).map(|t| self.face(t));
+        let face_of = face_of.chain((0..other.triangles.len()).map(|t| groups + other.face(t))).collect();
+        let (mut points, mut triangles) = (self.points, self.triangles);
+        points.extend(other.points);
+        triangles.extend(other.triangles.into_iter().map(|t| t.map(|k| first + k)));
+        Mesh { points, triangles, face_of, corner_uv: Vec::new() }
+    }
+    /// How many groups there may be: one more than the greatest number of one.
+    pub fn groups(&self) -> u32 {
+        self.face_of.iter().max().map_or(1, |most| most + 1)
+    }
     /// Moves all points.
     #[must_use]
     pub fn moved(mut self, to_from: &Rigid) -> Self {

@@ -291,6 +291,29 @@ impl Part {
         Part { mesh, bvh, brep, deflection_mm: self.deflection_mm, tie, published, sharper: OnceLock::new() }
     }
 
+    /// The part and a copy of it elsewhere as one: its faces or groups, and triangles, are followed
+    /// by those of the copy.
+    ///
+    /// # Errors
+    /// See [`tessellate`]: a part of exact faces is meshed and indexed anew.
+    pub fn with_copy(&self, to: &super::Rigid, observer: &dyn Observer) -> Result<Self> {
+        let deflection_mm = self.deflection_mm - self.off_own_mm();
+        let own = match (&self.brep, &self.tie) {
+            (Some(brep), Tie::Exact(_)) => {
+                Part::from_brep(brep.clone().and(brep.clone().moved(to)), deflection_mm, observer)?
+            }
+            (Some(brep), _) => Part::meshed(brep.clone().and(brep.clone().moved(to)), deflection_mm, observer)?,
+            (None, _) => {
+                let mesh = self.mesh.clone().and(self.mesh.clone().moved(to));
+                Part { deflection_mm, ..Part::from_mesh(mesh) }
+            }
+        };
+        let Some(published) = &self.published else { return Ok(own) };
+        let count = self.brep.as_ref().map_or(self.mesh.groups(), |b| b.faces.len() as u32);
+        let of = published.of.iter().copied().chain(published.of.iter().map(|of| of.map(|face| face + count)));
+        Ok(own.with_published(published.part.with_copy(to, observer)?, of.collect()))
+    }
+
     /// The mirror image across the plane z = 0.
     ///
     /// # Errors

@@ -297,6 +297,6 @@ fn default_kind(blade: &Blade, region: &RegionSettings) -> PathKind {
 fn default_chord_mm(kind: PathKind, scallop_mm: f64) -> f64 {
     match kind {
         PathKind::ConstantScallop => (0.04 * scallop_mm).min(CHORD_MM),
-        PathKind::ConstantHeight | PathKind::IsoParametric | PathKind::Given => CHORD_MM,
+        PathKind::ConstantHeight | PathKind::IsoParametric | PathKind::HubRows | PathKind::Given => CHORD_MM,
     }
 }

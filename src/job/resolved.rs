@@ -4,11 +4,12 @@ use serde::{Deserialize, Serialize};
 
 use super::sections::{FixtureSettings, ModelSettings, RegionSettings, WheelSettings};
 use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::toolpath::PathKind;
 use crate::channel::ChannelSettings;
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedSettings;
 use crate::machine::MachineSettings;
-use crate::orient::OrientationSettings;
+use crate::orient::{OrientationKind, OrientationSettings};
 use crate::pair::PinchSettings;
 use crate::path::PathSettings;
 use crate::schedule::ScheduleSettings;
@@ -114,6 +115,9 @@ impl Job {
                 return Err(Error::usage(Stage::Job, message).advise(format!("leave out {key} or orientation.kind")));
             }
         }
+        if self.path.kind == PathKind::HubRows {
+            self.check_rows()?;
+        }
         if !self.tool.is_ball() {
             self.check_cornered()?;
         }
@@ -128,6 +132,29 @@ impl Job {
         }
         if self.post.control.is_empty() && self.post.files.is_empty() {
             return Err(Error::usage(Stage::Job, "post.control is empty, it must name at least one control"));
+        }
+        Ok(())
+    }
+
+    /// What rows over a hub want of the rest of the job.
+    fn check_rows(&self) -> Result<()> {
+        let wants = |what: &str, advice: &str| {
+            Err(Error::usage(Stage::Job, format!("path.kind is hub-rows, {what}")).advise(advice))
+        };
+        if self.orientation.kind != OrientationKind::FiveAxis {
+            return wants("which five axes mill", "set orientation.kind to five-axis");
+        }
+        if !self.tool.is_ball() {
+            return wants("but the tool is no ball-end cutter", "leave out tool.corner_radius_mm");
+        }
+        if self.region.end_mm.is_some() || !self.region.end_faces.is_empty() {
+            return wants(
+                "but the region ends at a height or at faces of the blade: rows go over the hub, from the one blade to the next",
+                "leave out region.end_mm and region.end_faces",
+            );
+        }
+        if self.path.compare {
+            return wants("but path.compare asks for paths that go round the blade", "leave out path.compare");
         }
         Ok(())
     }

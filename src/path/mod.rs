@@ -25,6 +25,8 @@
 //! turns lie at one height and count on a region that begins and ends at heights; constant scallop
 //! begins and ends at faces, too.
 //!
+//! [`PathKind::HubRows`] (`hub`) is no helix: rows over the hub of a wheel between two blades.
+//!
 //! With [`Direction::Conventional`] the same turns are run the other way, upwards (`direction`).
 //! With [`PathSettings::stock_mm`], all this is on the part with so much stock on it
 //! ([`crate::geometry::allowance`]).
@@ -55,6 +57,7 @@ mod curve;
 mod direction;
 mod front;
 mod helix;
+mod hub;
 mod iso_parametric;
 mod level;
 mod options;
@@ -90,6 +93,9 @@ use rim::Rim;
 /// goes round the airfoil, with the place; kind `Cancelled`.
 pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     validate(blade, options)?;
+    if options.settings.kind == PathKind::HubRows {
+        return hub_rows(blade, options, observer);
+    }
     match options.settings.direction {
         Direction::Climb => downwards(blade, options, observer),
         Direction::Conventional => direction::reversed(blade, options, |b, o| downwards(b, o, observer)),
@@ -116,8 +122,20 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
         PathKind::IsoParametric => iso_parametric::plan(blade, &level, options, start_x, observer),
         PathKind::ConstantScallop => constant_scallop::plan(blade, &level, options, start_x, observer),
-        PathKind::Given => Err(Error::usage(Stage::Path, "turns that are given are not laid")),
+        PathKind::HubRows | PathKind::Given => Err(Error::usage(Stage::Path, "a helix does not lie so")),
     }
+}
+
+/// Lays rows over the hub.
+fn hub_rows(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
+    let Some(wheel) = &options.hub_of else {
+        return Err(Error::usage(Stage::Path, "path.kind is hub-rows, but the blade belongs to no wheel")
+            .advise("give section wheel in the job"));
+    };
+    let part = Allowed::new(&blade.part, options.settings.stock_mm);
+    let (along, radius_mm) = (region(blade, options)?.along, options.radius_mm);
+    let level = LevelSet { part, along, radius_mm, inclined: None, rim: None, lowest_mm: f64::NEG_INFINITY };
+    hub::plan(blade, &level, wheel, options, observer)
 }
 
 /// One closed loop of ball centres round the airfoil at the height `x_mm`, counter-clockwise seen

@@ -1,6 +1,7 @@
 //! Options of the path stage.
 
 use super::settings::PathSettings;
+use crate::artifact::Wheel;
 use crate::artifact::region::Extent;
 use crate::machine::MachineSettings;
 use crate::settings::with_settings;
@@ -23,6 +24,8 @@ pub struct PathOptions {
     pub start_near: Option<[f64; 3]>,
     /// The region: the contour to go round, and from where to where, see [`super::plan`].
     pub extent: Extent,
+    /// The wheel over whose hub rows are to go; `None` for all other kinds of path.
+    pub hub_of: Option<Wheel>,
     /// Lean of the tool axis over the plane square to the blade axis, towards the tip, rad: where
     /// the spindle's pivot stays. How turns lie does not depend on it.
     pub lean_rad: f64,
@@ -40,6 +43,7 @@ impl PathOptions {
             inclined: None,
             start_near: None,
             extent: Extent::default(),
+            hub_of: None,
             lean_rad: MachineSettings::default().b_deg.to_radians(),
         }
     }

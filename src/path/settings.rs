@@ -15,7 +15,7 @@ pub const SCALLOPS_MM: RangeInclusive<f64> = TINY..=10.0;
 pub fn most_lean_deg(kind: PathKind) -> f64 {
     match kind {
         PathKind::ConstantScallop => 89.5,
-        PathKind::ConstantHeight | PathKind::IsoParametric | PathKind::Given => 85.0,
+        PathKind::ConstantHeight | PathKind::IsoParametric | PathKind::HubRows | PathKind::Given => 85.0,
     }
 }
 

@@ -17,7 +17,7 @@ use crate::artifact::blade::Blade;
 use crate::artifact::region::{Boundary, Extent};
 use crate::artifact::report::Check;
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::Start;
+use crate::artifact::toolpath::{PathKind, Start};
 use crate::artifact::{AxisMotion, AxisTravel, Cone, Obstacle, PartAmong, Plan, Program, Schedule, Sweep, Wheel};
 use crate::channel::{ChannelOptions, ChannelSettings};
 use crate::error::{Error, Result, Stage};
@@ -126,12 +126,15 @@ impl Setup {
             Start::TrailingEdge => paths::trailing_edge(&blade, job.region.start_mm, observer)?,
         };
         let end_faces = named::faces_of(&job.region.end_faces, &blade.part)?;
-        let obstacles = match (&wheel, &job.wheel) {
+        let (blade, obstacles) = match (&wheel, &job.wheel) {
             // A model of the whole wheel has them.
             (Some(wheel), Some(settings)) if !blade.wheel.is_some_and(|w| w.whole) => {
-                wheel::bodies(wheel, settings, &blade, &job.channel)?
+                let next_too = job.path.kind == PathKind::HubRows;
+                let bodies = wheel::bodies(wheel, settings, &blade, &job.channel, next_too)?;
+                let blade = if next_too { wheel::with_next(wheel, blade, observer)? } else { blade };
+                (blade, bodies)
             }
-            _ => Vec::new(),
+            _ => (blade, Vec::new()),
         };
         let (post_files, part_hash) = (Vec::new(), String::new());
         Ok(Setup { job, tool, blade, machine, start_near, end_faces, post_files, obstacles, wheel, part_hash })
@@ -153,8 +156,14 @@ impl Setup {
             inclined: self.inclined(),
             start_near: self.start_near,
             extent: Extent { ends: ends.collect(), ..Extent::heights(Some(r.start_mm), None) },
+            hub_of: self.hub_of(),
             lean_rad: self.job.machine.b_deg.to_radians(),
         }
+    }
+
+    /// The wheel over whose hub the path is to go.
+    fn hub_of(&self) -> Option<Wheel> {
+        self.wheel.filter(|_| self.job.path.kind == PathKind::HubRows)
     }
 
     /// How a cutter with a corner leans; `None`: a ball.
@@ -291,6 +300,7 @@ impl Setup {
             lead_radius_mm: job.feed.lead_radius_mm,
             offset_mm: c.offset_mm,
             chip: self.chip(),
+            hub_of: self.hub_of(),
         }
     }
 

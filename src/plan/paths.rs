@@ -31,7 +31,7 @@ pub(crate) fn others(
     report: &CheckReport,
     observer: &dyn Observer,
 ) -> Result<Vec<(Toolpath, LimitFigures)>> {
-    let kinds = PathKind::ALL.into_iter().filter(|k| *k != path.kind);
+    let kinds = PathKind::ROUND.into_iter().filter(|k| *k != path.kind);
     let worst_mm = report.limit.ridge_p99_mm.max(0.2 * path.scallop_mm);
     // A ball that comes to an edge at the part's end has its centre beyond it.
     let [a, b] = path.region_x_mm;

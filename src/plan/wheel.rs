@@ -12,6 +12,7 @@ use crate::geometry::mesh::Mesh;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::job::WheelSettings;
+use crate::observe::Observer;
 use crate::parallel;
 use crate::verify::{self, Verdict, Verified, Workspace};
 
@@ -121,7 +122,18 @@ impl Setup {
     }
 }
 
-/// The other blades and the hub, which keep the room of the channel from the tool.
+/// The blade with the next one of its wheel as one part: between them lies the hub that rows go
+/// over.
+///
+/// # Errors
+/// Those of [`Part::with_copy`].
+pub(super) fn with_next(wheel: &Wheel, blade: Blade, observer: &dyn Observer) -> Result<Blade> {
+    let part = blade.part.with_copy(&wheel.turn_to(2), observer)?;
+    Ok(Blade { part, ..blade })
+}
+
+/// The other blades and the hub, which keep the room of the channel from the tool; `next_too`: the
+/// next blade belongs to the part.
 ///
 /// # Errors
 /// Kind `Infeasible` where neighbouring blades overlap.
@@ -130,6 +142,7 @@ pub(super) fn bodies(
     settings: &WheelSettings,
     blade: &Blade,
     channel: &ChannelSettings,
+    next_too: bool,
 ) -> Result<Vec<Obstacle>> {
     apart(wheel, blade)?;
     let body = |name: String, mesh: Mesh, deflection_mm: f64| {
@@ -139,8 +152,8 @@ pub(super) fn bodies(
         let (cut_by_the_tool, of_the_wheel, copies) = (false, true, Vec::new());
         Obstacle { name, part, clearance_mm, holder_clearance_mm, cut_by_the_tool, of_the_wheel, copies }
     };
-    let off_mm = blade.part.deflection_mm;
-    let copies: Vec<Rigid> = (2..=wheel.blades).map(|k| wheel.turn_to(k)).collect();
+    let (off_mm, first) = (blade.part.deflection_mm, if next_too { 3 } else { 2 });
+    let copies: Vec<Rigid> = (first..=wheel.blades).map(|k| wheel.turn_to(k)).collect();
     let others = parallel::map(&copies, |turn| blade.part.mesh.clone().moved(turn));
     // One body: how near the tool comes to the nearest of them is one question, and the far ones
     // then cost nothing.
@@ -228,7 +241,14 @@ fn hub(wheel: &Wheel, contour: &[[f64; 2]]) -> Mesh {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+    use std::path::Path;
+
     use super::*;
+    use crate::artifact::CheckId;
+    use crate::job;
+    use crate::machine::Machine;
+    use crate::observe::Silent;
+    use crate::sample;
 
     #[test]
     fn a_hub_is_a_closed_body_round_its_contour() {
@@ -249,5 +269,54 @@ mod tests {
             (0..300).all(|k| part.inside(&on(k)) || part.closest_on_mesh(&on(k), 1.0).unwrap().distance_mm < 1e-9)
         };
         assert!(least(5.0, 45.0) && least(-5.0, 45.0));
+    }
+
+    /// Five axes mill the hub between two plates: every check passes, and one of them tells when
+    /// the rows next to a plate are missing.
+    #[test]
+    fn rows_over_a_hub_pass_all_checks_and_missing_ones_are_found() {
+        let job = "
+            [model]
+            file = 'plates.step'
+            [wheel]
+            [orientation]
+            kind = 'five-axis'
+            [path]
+            kind = 'hub-rows'
+            scallop_mm = 0.2
+            [tool]
+            radius_mm = 3
+            taper_deg = 3
+            shank_radius_mm = 5
+            stickout_mm = 130
+            holder = [{ radius_mm = 15, length_mm = 40 }]
+            [verify]
+            surface_samples = 20000
+        ";
+        let draft = job::resolve(job::parse(job, "job").unwrap(), Path::new("")).unwrap();
+        let (blade, _) = sample::plates(12, 2.0);
+        let setup = Setup::of(&draft, blade, Machine::demo().unwrap(), &Silent).unwrap();
+        let plan = match crate::plan::plan(&setup, &Silent).unwrap() {
+            Verdict::Passed(plan) => plan.value().clone(),
+            Verdict::Failed(found) => {
+                let failed = found.report().checks.iter().filter(|c| !c.passed);
+                panic!("{:?}", failed.collect::<Vec<_>>())
+            }
+        };
+        assert!(matches!(plan.toolpath.cones, crate::artifact::Cones::Each(_)));
+        let hub = |plan: &Plan| {
+            let verdict = setup.verdict(plan.clone(), &Silent).unwrap();
+            let checks = match &verdict {
+                Verdict::Passed(v) => v.report().checks.clone(),
+                Verdict::Failed(f) => f.report().checks.clone(),
+            };
+            checks.into_iter().find(|c| c.id == CheckId::JobRegion).unwrap()
+        };
+        assert!(hub(&plan).passed, "{:?}", hub(&plan));
+        let mut short = plan;
+        let last = short.toolpath.turns.len() - 4;
+        short.toolpath.turns.truncate(last);
+        let found = hub(&short);
+        assert!(!found.passed && found.turn.is_some(), "{found:?}");
     }
 }

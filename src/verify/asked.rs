@@ -8,18 +8,20 @@
 //! | check | measured |
 //! | --- | --- |
 //! | `job` | values of the plan that are not those of the job |
-//! | `job-region` | how far the path ends before the heights that the job asks for, or goes beyond them |
+//! | `job-region` | how far the path ends before the heights that the job asks for, or goes beyond them; of rows over a hub, how far from the outer ones the blades stand |
 //! | `job-feed` | feed of the ball centre between two locations, from their distance and their times |
 //!
 //! **Limits**: a path may end higher than asked for where the wall leans too far, the ball loses
 //! the surface or comes to an edge, a face or a corner. Of these reasons only the lean is measured
 //! here; any other is repeated in the note.
 
+use super::height::flat_stepover;
 use super::options::{Asked, VerifyOptions};
 use crate::artifact::report::Check;
-use crate::artifact::toolpath::{CutterLocation, Direction, Turn};
+use crate::artifact::toolpath::{CutterLocation, Direction, PathKind, Turn};
 use crate::artifact::{Blade, CheckId, Cone, Plan, Toolpath};
 use crate::error::EndReason;
+use crate::geometry::allowance::Allowed;
 
 /// Values that JSON and arithmetic in radians keep.
 const SAME: f64 = 1e-9;
@@ -38,7 +40,11 @@ const FEED: f64 = 1e-4;
 
 /// The checks of this module.
 pub(super) fn check(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) -> Vec<Check> {
-    vec![values(plan, asked, options), region(plan, blade, asked, options), feed(plan, blade, asked)]
+    let region = match asked.kind {
+        PathKind::HubRows => hub(plan, blade, options),
+        _ => region(plan, blade, asked, options),
+    };
+    vec![values(plan, asked, options), region, feed(plan, blade, asked)]
 }
 
 /// Single values.
@@ -151,6 +157,55 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     let note = if over > 0.0 { says } else { format!("heights {hi:.3} to {lo:.3}: {}", path.end_reason) };
     let check = Check::at_most(CheckId::JobRegion, quantity, over.max(0.0), 0.0, unit, note);
     check.at_location(row, plan, blade)
+}
+
+/// Places of an outer row from which a blade is looked for.
+const HUB_PLACES: usize = 200;
+/// How far from an outer row the next blade may stand at most of its places, in stepovers on flat
+/// ground.
+const HUB_STEPOVERS: f64 = 2.0;
+/// A ball aside of an outer row meets the blade where it would cut so much deeper than the row, in
+/// scallops.
+const HUB_CUTS: f64 = 0.5;
+
+/// Whether the outer rows over a hub run at the blades: from the middle of their places, in order
+/// of the way sideways over the hub until a ball would cut into a blade. Before and behind the
+/// blades there is none.
+fn hub(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Check {
+    let path = &plan.toolpath;
+    let part = Allowed::new(&blade.part, path.stock_mm);
+    let stepover_mm = flat_stepover(path.radius_mm, options.scallop_mm);
+    let quantity = "way from an outer row sideways to the blade, at the middle of its places in order of that way";
+    let rows = |turn: &Turn| turn.first..(turn.first + turn.count).min(path.locations.len());
+    let n = path.turns.len();
+    let outer = [(0, 1), (n.wrapping_sub(1), n.wrapping_sub(2))];
+    let mut worst: (f64, usize) = if n < 2 { (f64::MAX, 0) } else { (0.0, 0) };
+    for (own, other) in outer.into_iter().filter(|_| n >= 2) {
+        let (own, other) = (rows(&path.turns[own]), rows(&path.turns[other]));
+        let every = own.len().div_ceil(HUB_PLACES).max(1);
+        let at = |row: usize| -> Option<(f64, usize)> {
+            let l = path.locations[row];
+            let way = path.locations.get(row + 1)?.centre - l.centre;
+            let beside = path.locations[other.clone()].iter().map(|o| o.centre - l.centre);
+            let beside = beside.min_by(|a, b| a.norm_squared().total_cmp(&b.norm_squared()))?;
+            let side = l.normal.cross(&way).try_normalize(1e-12)?;
+            let side = if side.dot(&beside) > 0.0 { -side } else { side };
+            let depth = |way_mm: f64| {
+                let near = part.closest(&(l.centre + side * way_mm), path.radius_mm);
+                near.map_or(0.0, |c| path.radius_mm - c.distance_mm)
+            };
+            let ways = (1..=16).map(|k| 0.25 * f64::from(k) * stepover_mm);
+            let met = ways.into_iter().find(|way_mm| depth(*way_mm) > HUB_CUTS * options.scallop_mm);
+            Some((met.unwrap_or(5.0 * stepover_mm), row))
+        };
+        let mut ways: Vec<(f64, usize)> = own.step_by(every).filter_map(at).collect();
+        ways.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let middle = ways.get(ways.len() / 2).copied().unwrap_or((f64::MAX, 0));
+        worst = if middle.0 > worst.0 { middle } else { worst };
+    }
+    let note = format!("{n} rows, {:.3} mm apart on flat ground", stepover_mm);
+    let limit = HUB_STEPOVERS * stepover_mm;
+    Check::at_most(CheckId::JobRegion, quantity, worst.0, limit, "mm", note).at_location(worst.1, plan, blade)
 }
 
 fn ends_as_asked(path: &Toolpath) -> bool {

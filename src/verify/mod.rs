@@ -150,7 +150,8 @@ pub fn check_among(
     };
     step(0)?;
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
-    let (sweep, stands) = (sweep::Sweep::new(&plan.toolpath), plan.stands());
+    let hub_of = options.asked.as_ref().and_then(|a| a.hub_of);
+    let (sweep, stands) = (sweep::Sweep::new(&plan.toolpath).over_hub(hub_of), plan.stands());
     let way = EndWay::new(tool, &sweep, &stands);
     let check = cuts::check(blade, &part, &way, options);
     // What is reported is what was proven, not the best that was measured.
@@ -239,7 +240,8 @@ pub fn on_other_blade(
 /// stays uncut were measured. Its figures stay as they are.
 pub fn places(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOptions, report: &mut CheckReport) {
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
-    let sweep = sweep::Sweep::new(&plan.toolpath);
+    let hub_of = options.asked.as_ref().and_then(|a| a.hub_of);
+    let sweep = sweep::Sweep::new(&plan.toolpath).over_hub(hub_of);
     if tool.is_ball() {
         scallop::measure(&part, &sweep, options, report);
     } else {

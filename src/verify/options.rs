@@ -1,6 +1,7 @@
 //! Limits of the checks and how finely they look.
 
 use super::settings::VerifySettings;
+use crate::artifact::Wheel;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{Direction, PathKind, SCALLOP_MM};
 use crate::settings::with_settings;
@@ -44,6 +45,8 @@ pub struct Asked {
     pub offset_mm: Option<[f64; 2]>,
     /// What the teeth may cut; `None`: not looked at.
     pub chip: Option<Chip>,
+    /// The wheel over whose hub the path goes; `None`: it goes round a blade.
+    pub hub_of: Option<Wheel>,
 }
 
 /// Limits and sampling of [`super::check`]. Lengths in mm.

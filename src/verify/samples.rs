@@ -86,7 +86,9 @@ pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usi
             next += spacing;
         }
     }
-    let points = parallel::filter_map(raw, |(t, p)| on_surface(part, t, p));
+    let by_facets = part.brep.is_none();
+    let sample = |(t, p)| on_surface(part, t, p).filter(|s| sweep.is_for(&s.point, &s.normal, by_facets));
+    let points = parallel::filter_map(raw, sample);
     Samples { points, area_mm2: spacing }
 }
 

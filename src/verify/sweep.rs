@@ -4,7 +4,7 @@ use parry3d_f64::bounding_volume::Aabb as ParryAabb;
 use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 
-use crate::artifact::Toolpath;
+use crate::artifact::{Toolpath, Wheel};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 
@@ -25,6 +25,9 @@ pub(super) struct Sweep {
     /// The move of each leaf of the tree, whose leaves are numbered without gaps.
     leaves: Vec<u32>,
     tree: Bvh,
+    /// The wheel over whose hub the path goes, and from where to where the centres go along its
+    /// axis, mm; `None`: the path goes round a blade.
+    hub: Option<(Wheel, [f64; 2])>,
 }
 
 /// A contact that moves this many times as far as its ball centre has jumped: a ball that fits so
@@ -76,7 +79,27 @@ impl Sweep {
             (leaf, ParryAabb::new(ParryVector::new(lo.x, lo.y, lo.z), ParryVector::new(hi.x, hi.y, hi.z)))
         });
         let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes);
-        Sweep { centres, contacts, turns, radius_mm, wanted, leaves, tree }
+        Sweep { centres, contacts, turns, radius_mm, wanted, leaves, tree, hub: None }
+    }
+
+    /// The same over the hub of a wheel, where there is one: what else the ball comes near to is
+    /// not to be machined.
+    pub fn over_hub(self, hub_of: Option<Wheel>) -> Self {
+        let along = |wheel: &Wheel| {
+            let heights = self.centres.iter().map(|c| (c - wheel.origin).dot(&wheel.axis));
+            heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], z| [lo.min(z), hi.max(z)])
+        };
+        let hub = hub_of.map(|wheel| (wheel, along(&wheel)));
+        Sweep { hub, ..self }
+    }
+
+    /// Whether a place with this normal is of the surface that the path is to machine; of a hub,
+    /// whether it is within the rows, which begin and end at places along the rotor axis.
+    pub fn is_for(&self, point: &Point, normal: &Vector, by_facets: bool) -> bool {
+        self.hub.is_none_or(|(wheel, [from_mm, to_mm])| {
+            let along_mm = (point + normal * self.radius_mm - wheel.origin).dot(&wheel.axis);
+            (from_mm..=to_mm).contains(&along_mm) && wheel.is_hub(point, normal, by_facets)
+        })
     }
 
     /// Whether move `i` counts.

@@ -40,6 +40,12 @@ pub fn cylinder(radius: f64, height: f64) -> NurbsSurface {
     revolved(&[(radius, 0.0, 1.0), (radius, height, 1.0)], 1, vec![0.0, 0.0, 1.0, 1.0])
 }
 
+/// A disc square to z at a height, its normal along z or against it.
+pub fn disc(radius: f64, height: f64, up: bool) -> NurbsSurface {
+    let (inner, outer) = if up { (radius, 0.0) } else { (0.0, radius) };
+    revolved(&[(inner, height, 1.0), (outer, height, 1.0)], 1, vec![0.0, 0.0, 1.0, 1.0])
+}
+
 /// A cone about z with its apex at the origin, opening upwards to `radius` at `height`.
 pub fn cone(radius: f64, height: f64) -> NurbsSurface {
     revolved(&[(0.0, 0.0, 1.0), (radius, height, 1.0)], 1, vec![0.0, 0.0, 1.0, 1.0])
