@@ -94,9 +94,9 @@ fn five_axis(
     let mut free = free_cells(setup, &grid, &path.at(&stations), around, observer)?;
     for _ in 0..MOST_SEARCHES {
         let found = along_way(setup, path, (&grid, &stations, &free), around, observer);
-        // What is free may change faster than stations stand: where the way closes between two of
-        // them, it is looked at too.
-        let Some(more) = found.as_ref().err().and_then(|e| between(&stations, e)) else { return found };
+        // What is free may change faster than stations stand, and between two of them the way may
+        // lead through what is taken: where it closes, more is looked at.
+        let Some(more) = found.as_ref().err().and_then(|e| closer(&stations, e)) else { return found };
         let of_more = free_cells(setup, &grid, &path.at(&more), around, observer)?;
         for (row, cells) in more.into_iter().zip(of_more) {
             let at = stations.partition_point(|s| *s < row);
@@ -107,20 +107,20 @@ fn five_axis(
     along_way(setup, path, (&grid, &stations, &free), around, observer)
 }
 
-/// The location at which a channel closes, where it stands between two stations, and those midway
-/// to either.
-fn between(stations: &[usize], e: &Error) -> Option<Vec<usize>> {
+/// The location at which a channel closes, and those midway to the stations before and behind it,
+/// as far as they are none; `None` where all of them are stations.
+fn closer(stations: &[usize], e: &Error) -> Option<Vec<usize>> {
     let row = match e.infeasible.as_deref()? {
         Infeasible::NoFreeAngle { at, .. } | Infeasible::ChannelCloses { at, .. } => at.location,
         Infeasible::ChannelClosesOnMove { after, .. } => after.location,
         _ => return None,
     };
-    let next = stations.partition_point(|s| *s < row);
-    let (before, after) = (*stations.get(next.checked_sub(1)?)?, *stations.get(next)?);
+    let before = stations[..stations.partition_point(|s| *s < row)].last().copied().unwrap_or(row);
+    let after = stations.get(stations.partition_point(|s| *s <= row)).copied().unwrap_or(row);
     let mut more = vec![before.midpoint(row), row, row.midpoint(after)];
     more.dedup();
-    more.retain(|r| *r > before && *r < after);
-    (after > row).then_some(more)
+    more.retain(|r| stations.binary_search(r).is_err());
+    (!more.is_empty()).then_some(more)
 }
 
 /// The path with cones along the least way through what is free at stations, and its channel.
@@ -227,4 +227,36 @@ fn closed(path: &Toolpath, row: usize, any_free: bool) -> Error {
     let message = format!("{what} at {place}, {:.3} mm along the blade axis", at.height_mm);
     Error::infeasible(Stage::Channel, message, Infeasible::NoToolAxis { at })
         .advise("let the region end above, take a smaller ball, or a longer or more slender tool")
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::error::At;
+
+    fn closes(location: usize) -> Error {
+        let at = At { location, turn: 0, turn_s_mm: 0.0, centre_mm: [0.0; 3], height_mm: 0.0 };
+        let since = Infeasible::ChannelCloses { at, bounds: Vec::new(), region_may_end_mm: None };
+        Error::infeasible(Stage::Channel, "closed", since)
+    }
+
+    /// Places between stations come until there are none; other errors bring none.
+    #[test]
+    fn stations_come_closer_where_a_channel_closes() {
+        let stations = [0, 40, 80];
+        assert_eq!(closer(&stations, &closes(60)), Some(vec![50, 60, 70]));
+        assert_eq!(closer(&stations, &closes(40)), Some(vec![20, 60]));
+        assert_eq!(closer(&stations, &closes(80)), Some(vec![60]));
+        assert_eq!(closer(&stations, &closes(41)), Some(vec![41, 60]));
+        assert_eq!(closer(&[4, 5, 6], &closes(5)), None);
+        assert_eq!(closer(&stations, &Error::usage(Stage::Channel, "another")), None);
+        let mut all: Vec<usize> = stations.to_vec();
+        while let Some(more) = closer(&all, &closes(37)) {
+            assert!(more.iter().all(|r| all.binary_search(r).is_err()));
+            all.extend(more);
+            all.sort_unstable();
+        }
+        assert!(all.contains(&36) && all.contains(&37) && all.contains(&38) && all.len() < 30, "{all:?}");
+    }
 }

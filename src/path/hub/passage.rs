@@ -38,6 +38,10 @@ const SEEDS: usize = 24;
 /// The hub lies beside the blade's foot, at most so much of the blade's height above it: not where
 /// tips are.
 const LOW: f64 = 0.25;
+/// Where the ball has no room, balls of this share of the radius are tried, and again, so often.
+const SMALLER: (f64, i32) = (0.8, 30);
+/// Halvings until the greatest ball that has room is known.
+const ROOM_HALVINGS: usize = 10;
 /// Steps of a ball that falls towards the rotor axis.
 const FALLING: usize = 400;
 
@@ -286,15 +290,24 @@ impl Passage<'_> {
 
     /// Why no station is found about the blade's foot.
     fn why_no_first(&self, foot: &Foot) -> Closed {
-        let tried = (1..=HALVINGS as u32).map(|k| self.level.radius_mm * 0.8f64.powi(k as i32));
-        for radius_mm in tried {
+        let with = |radius_mm: f64| {
             let level = LevelSet { radius_mm, ..*self.level };
-            let passage = Passage { level: &level, frame: self.frame };
-            if let Some(s) = passage.first(foot) {
-                return Closed::Gap(self.frame.point(s.z_mm, s.middle_rad, s.radius_mm), radius_mm);
+            Passage { level: &level, frame: self.frame }.first(foot)
+        };
+        let (share, most) = SMALLER;
+        let mut tried = (1..=most).map(|k| self.level.radius_mm * share.powi(k));
+        let Some((mut good, mut found)) = tried.find_map(|r| with(r).map(|s| (r, s))) else {
+            return Closed::NoHub(foot.at);
+        };
+        let mut bad = good / share;
+        for _ in 0..ROOM_HALVINGS {
+            let middle = 0.5 * (good + bad);
+            match with(middle) {
+                Some(station) => (good, found) = (middle, station),
+                None => bad = middle,
             }
         }
-        Closed::NoHub(foot.at)
+        Closed::Gap(self.frame.point(found.z_mm, found.middle_rad, found.radius_mm), good)
     }
 
     /// The greatest ball that has room on the hub at a place, beside a station where this one has,
@@ -312,7 +325,7 @@ impl Passage<'_> {
         if !has_room(good) {
             return None;
         }
-        for _ in 0..10 {
+        for _ in 0..ROOM_HALVINGS {
             let middle = 0.5 * (good + bad);
             if has_room(middle) { good = middle } else { bad = middle }
         }
