@@ -5,8 +5,6 @@
 //! the tool axis leads the normal by [`LEAD_RAD`], the channel is that ± [`WIDTH_RAD`].
 #![allow(clippy::unwrap_used)]
 
-use nalgebra::Vector4;
-
 use crate::artifact::axis_motion::AxisMotion;
 use crate::artifact::blade::{Blade, Diagnosis, Unit};
 use crate::artifact::channel::{Binding, Channel, ChannelRow};
@@ -22,7 +20,7 @@ use crate::artifact::{Axes, AxisRows, CheckId, Cones, ProgrammedCurve, ToolPart}
 use crate::error::EndReason;
 use crate::geometry::brep::{Brep, Face, SurfaceKind};
 use crate::geometry::mesh::Mesh;
-use crate::geometry::nurbs::{NurbsSurface, shapes};
+use crate::geometry::nurbs::shapes;
 use crate::geometry::part::Part;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::lead::{self, End, LeadOptions};
@@ -396,15 +394,15 @@ pub fn plates(blades: u32, half_mm: f64) -> (Blade, Wheel) {
     let (r0, r1) = (HUB_RADIUS - 5.0, HUB_RADIUS + 20.0);
     for k in 0..blades {
         let (s, c) = (std::f64::consts::TAU * f64::from(k) / f64::from(blades)).sin_cos();
-        let at = |r: f64, t: f64, z: f64| Vector4::new(r * c - t * s, r * s + t * c, z, 1.0);
+        let at = |r: f64, t: f64, z: f64| [r * c - t * s, r * s + t * c, z];
         let t = half_mm;
         faces.extend([
-            patch([at(r0, t, z0), at(r1, t, z0), at(r0, t, z1), at(r1, t, z1)]),
-            patch([at(r0, -t, z0), at(r0, -t, z1), at(r1, -t, z0), at(r1, -t, z1)]),
-            patch([at(r0, -t, z0), at(r1, -t, z0), at(r0, t, z0), at(r1, t, z0)]),
-            patch([at(r0, -t, z1), at(r0, t, z1), at(r1, -t, z1), at(r1, t, z1)]),
-            patch([at(r1, -t, z0), at(r1, -t, z1), at(r1, t, z0), at(r1, t, z1)]),
-            patch([at(r0, -t, z0), at(r0, t, z0), at(r0, -t, z1), at(r0, t, z1)]),
+            shapes::patch([at(r0, t, z0), at(r0, t, z1), at(r1, t, z1), at(r1, t, z0)]),
+            shapes::patch([at(r0, -t, z0), at(r1, -t, z0), at(r1, -t, z1), at(r0, -t, z1)]),
+            shapes::patch([at(r0, -t, z0), at(r0, t, z0), at(r1, t, z0), at(r1, -t, z0)]),
+            shapes::patch([at(r0, -t, z1), at(r1, -t, z1), at(r1, t, z1), at(r0, t, z1)]),
+            shapes::patch([at(r1, -t, z0), at(r1, t, z0), at(r1, t, z1), at(r1, -t, z1)]),
+            shapes::patch([at(r0, -t, z0), at(r0, -t, z1), at(r0, t, z1), at(r0, t, z0)]),
         ]);
     }
     let named = |surface| Face { name: "".into(), kind: SurfaceKind::BSpline, surface, reversed: false, loops: vec![] };
@@ -420,18 +418,4 @@ pub fn plates(blades: u32, half_mm: f64) -> (Blade, Wheel) {
         ..blade()
     };
     (blade, Wheel { axis: Vector::z_axis(), origin: Point::origin(), blades })
-}
-
-/// A flat or twisted piece between four corners: u = 0 with v = 0 and 1, then u = 1.
-fn patch(corners: [Vector4<f64>; 4]) -> NurbsSurface {
-    let knots = || vec![0.0, 0.0, 1.0, 1.0];
-    NurbsSurface {
-        degree_u: 1,
-        degree_v: 1,
-        knots_u: knots(),
-        knots_v: knots(),
-        n_u: 2,
-        n_v: 2,
-        points: corners.to_vec(),
-    }
 }

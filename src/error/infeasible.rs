@@ -340,6 +340,15 @@ pub enum Infeasible {
         /// Where it was looked for.
         near: Spot,
     },
+    /// As many rows over a hub as were tried leave ridges over the scallop.
+    RowsTooHigh {
+        /// Their number.
+        rows: usize,
+        /// The greatest ridge, mm.
+        ridge_mm: f64,
+        /// Scallop asked for, mm.
+        scallop_mm: f64,
+    },
     /// Two blades of a wheel leave no room for the ball on the hub.
     BladesTooClose {
         /// Where.

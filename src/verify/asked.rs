@@ -164,6 +164,9 @@ const HUB_PLACES: usize = 200;
 /// How far from an outer row the next blade may stand at most of its places, in stepovers on flat
 /// ground.
 const HUB_STEPOVERS: f64 = 2.0;
+/// A blade is looked for at steps of this share of the stepover, so many.
+const HUB_LOOK: f64 = 0.25;
+const HUB_LOOKS: u32 = 16;
 /// A ball aside of an outer row meets the blade where it would cut so much deeper than the row, in
 /// scallops.
 const HUB_CUTS: f64 = 0.5;
@@ -176,10 +179,12 @@ fn hub(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Check {
     let part = Allowed::new(&blade.part, path.stock_mm);
     let stepover_mm = flat_stepover(path.radius_mm, options.scallop_mm);
     let quantity = "way from an outer row sideways to the blade, at the middle of its places in order of that way";
+    // Farther than a blade is looked for.
+    let far_mm = HUB_LOOK * f64::from(HUB_LOOKS + 1) * stepover_mm;
     let rows = |turn: &Turn| turn.first..(turn.first + turn.count).min(path.locations.len());
     let n = path.turns.len();
     let outer = [(0, 1), (n.wrapping_sub(1), n.wrapping_sub(2))];
-    let mut worst: (f64, usize) = if n < 2 { (f64::MAX, 0) } else { (0.0, 0) };
+    let mut worst: (f64, usize) = if n < 2 { (far_mm, 0) } else { (0.0, 0) };
     for (own, other) in outer.into_iter().filter(|_| n >= 2) {
         let (own, other) = (rows(&path.turns[own]), rows(&path.turns[other]));
         let every = own.len().div_ceil(HUB_PLACES).max(1);
@@ -194,13 +199,13 @@ fn hub(plan: &Plan, blade: &Blade, options: &VerifyOptions) -> Check {
                 let near = part.closest(&(l.centre + side * way_mm), path.radius_mm);
                 near.map_or(0.0, |c| path.radius_mm - c.distance_mm)
             };
-            let ways = (1..=16).map(|k| 0.25 * f64::from(k) * stepover_mm);
+            let ways = (1..=HUB_LOOKS).map(|k| HUB_LOOK * f64::from(k) * stepover_mm);
             let met = ways.into_iter().find(|way_mm| depth(*way_mm) > HUB_CUTS * options.scallop_mm);
-            Some((met.unwrap_or(5.0 * stepover_mm), row))
+            Some((met.unwrap_or(far_mm), row))
         };
         let mut ways: Vec<(f64, usize)> = own.step_by(every).filter_map(at).collect();
         ways.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let middle = ways.get(ways.len() / 2).copied().unwrap_or((f64::MAX, 0));
+        let middle = ways.get(ways.len() / 2).copied().unwrap_or((far_mm, 0));
         worst = if middle.0 > worst.0 { middle } else { worst };
     }
     let note = format!("{n} rows, {:.3} mm apart on flat ground", stepover_mm);

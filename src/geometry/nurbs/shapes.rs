@@ -40,6 +40,21 @@ pub fn cylinder(radius: f64, height: f64) -> NurbsSurface {
     revolved(&[(radius, 0.0, 1.0), (radius, height, 1.0)], 1, vec![0.0, 0.0, 1.0, 1.0])
 }
 
+/// The bilinear patch of four corners, `S_u × S_v` outwards where they run counter-clockwise.
+pub fn patch(corners: [[f64; 3]; 4]) -> NurbsSurface {
+    let [a, b, c, d] = corners.map(|[x, y, z]| Vector4::new(x, y, z, 1.0));
+    let knots = || vec![0.0, 0.0, 1.0, 1.0];
+    NurbsSurface {
+        degree_u: 1,
+        degree_v: 1,
+        knots_u: knots(),
+        knots_v: knots(),
+        n_u: 2,
+        n_v: 2,
+        points: vec![a, d, b, c],
+    }
+}
+
 /// A disc square to z at a height, its normal along z or against it.
 pub fn disc(radius: f64, height: f64, up: bool) -> NurbsSurface {
     let (inner, outer) = if up { (radius, 0.0) } else { (0.0, radius) };

@@ -1,7 +1,6 @@
 #![allow(clippy::unwrap_used)]
 use std::f64::consts::TAU;
 
-use nalgebra::Vector4;
 use proptest::prelude::*;
 
 use super::*;
@@ -9,7 +8,7 @@ use crate::geometry::Rigid;
 use crate::geometry::brep::{Brep, Face, FaceName, SurfaceKind};
 use crate::geometry::exact::tests::block;
 use crate::geometry::nurbs::NurbsSurface;
-use crate::geometry::nurbs::shapes::{cone, cylinder};
+use crate::geometry::nurbs::shapes::{cone, cylinder, patch};
 use crate::observe::Silent;
 
 fn part_of(surfaces: Vec<(NurbsSurface, bool)>) -> Part {
@@ -32,21 +31,6 @@ fn changed(mut surface: NurbsSurface, scale: [f64; 3], shift: [f64; 3]) -> Nurbs
         }
     }
     surface
-}
-
-/// The bilinear patch of four corners, `S_u × S_v` outwards where they run counter-clockwise.
-fn patch(corners: [[f64; 3]; 4]) -> NurbsSurface {
-    let [a, b, c, d] = corners.map(|[x, y, z]| Vector4::new(x, y, z, 1.0));
-    let knots = || vec![0.0, 0.0, 1.0, 1.0];
-    NurbsSurface {
-        degree_u: 1,
-        degree_v: 1,
-        knots_u: knots(),
-        knots_v: knots(),
-        n_u: 2,
-        n_v: 2,
-        points: vec![a, d, b, c],
-    }
 }
 
 fn found(part: &Part, point: Point, normal: Vector) -> Pair {

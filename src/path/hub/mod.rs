@@ -17,7 +17,7 @@ mod tests;
 use super::chords;
 use super::helix::assemble;
 use super::level::{LevelSet, Touch};
-use super::{PathOptions, loses_surface, spot};
+use super::{PathOptions, least_and_greatest, spot};
 use crate::artifact::{Blade, Toolpath, Wheel};
 use crate::error::{EndReason, Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
@@ -64,33 +64,35 @@ pub fn plan(
     let Some(rows) = Rows::new(blade, passage, &stations, options) else {
         return Err(closed(blade, Closed::NoHub(foot.at), options));
     };
+    let scallop_mm = options.settings.scallop_mm;
     let mut count = rows.least_count();
-    let mut best: Option<Toolpath> = None;
+    let (mut best, mut tried_mm): (Option<Toolpath>, f64) = (None, 0.0);
     for round in 0..ROUNDS {
         observer.check(Stage::Path)?;
         observer.progress(Stage::Path, round, ROUNDS);
         let path = rows.laid(count)?;
         let height_mm = path.planned_scallop_mm;
-        let is_low = height_mm <= options.settings.scallop_mm;
+        let is_low = height_mm <= scallop_mm;
+        tried_mm = height_mm;
         if is_low && best.as_ref().is_none_or(|b| b.turns.len() > count) {
             best = Some(path);
         }
-        let share = (height_mm / options.settings.scallop_mm).sqrt();
+        let share = (height_mm / scallop_mm).sqrt();
         let wanted = ((count - 1) as f64 * share * (1.0 + 0.25 * LOWER)).ceil() as usize + 1;
         let next = if is_low { wanted.clamp(2, count) } else { wanted.max(count + 1) };
         let tried = best.as_ref().is_some_and(|b| next >= b.turns.len());
-        if next > MOST_ROWS || tried || next == count || is_low && share * share > 1.0 - LOWER {
+        let is_last = round + 1 == ROUNDS || next > MOST_ROWS;
+        if is_last || tried || next == count || is_low && share * share > 1.0 - LOWER {
             break;
         }
         count = next;
     }
     best.ok_or_else(|| {
         let message = format!(
-            "no more than {MOST_ROWS} rows between two blades leave a scallop of {} mm",
-            options.settings.scallop_mm
+            "{count} rows over the hub between two blades leave ridges of {tried_mm:.6} mm, path.scallop_mm is {scallop_mm}"
         );
-        Error::infeasible(Stage::Path, message, loses_surface(options.radius_mm, &[foot.at]))
-            .advise("set a higher path.scallop_mm")
+        let since = Infeasible::RowsTooHigh { rows: count, ridge_mm: tried_mm, scallop_mm };
+        Error::infeasible(Stage::Path, message, since).advise("set a higher path.scallop_mm")
     })
 }
 
@@ -201,8 +203,7 @@ impl<'a> Rows<'a> {
         };
         let rows = parallel::try_map(0..count, row)?;
         let end = self.at(z_mm(count - 1, 1.0), share(count - 1))?;
-        let heights = rows.iter().flatten().map(|t| t.centre.x);
-        let range_mm = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        let range_mm = least_and_greatest(rows.iter().flatten().map(|t| t.centre.x));
         Ok(assemble(self.passage.level, self.options, &rows, end, range_mm, EndReason::Region).0)
     }
 

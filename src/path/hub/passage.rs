@@ -5,11 +5,12 @@
 //! touches a blade or its fillet. Before and behind the blades nothing stops it; there a passage is
 //! one pitch wide, so that those of all blades together cover the hub.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use super::super::level::{LevelSet, Touch};
 use crate::artifact::Wheel;
 use crate::geometry::{Point, Vector};
+use crate::numerics::angle::within_half_turn;
 
 /// Stations stand so many ball radii apart.
 const STATION: f64 = 0.15;
@@ -56,6 +57,8 @@ pub struct Station {
     pub half_rad: f64,
     /// Distance of the ball's centre from the rotor axis in the middle, mm.
     pub radius_mm: f64,
+    /// Where the ball touches there, along the rotor axis, mm.
+    contact_z_mm: f64,
 }
 
 /// Why there is no passage.
@@ -130,7 +133,7 @@ impl Passage<'_> {
         let guess = self.frame.point(z_mm, angle_rad, radius_mm);
         let touch = self.level.touch_across(&guess, &self.frame.axis(), 0.6 * ball_mm)?;
         let [_, at, from_axis_mm] = self.frame.of(&touch.centre);
-        let aside_mm = wrapped(at - angle_rad) * from_axis_mm;
+        let aside_mm = within_half_turn(at - angle_rad) * from_axis_mm;
         let by_facets = self.level.is_over_facets();
         // On the hub it goes straight out, or in; over facets nearly so.
         let out_mm = (from_axis_mm - radius_mm).abs();
@@ -161,11 +164,8 @@ impl Passage<'_> {
     fn first(&self, foot: &Foot) -> Option<Station> {
         let [z_mm, blade_rad, foot_mm] = self.frame.of(&foot.at);
         let pitch = self.frame.pitch_rad();
-        let reach = |p: &Point| {
-            let [_, _, from_axis_mm] = self.frame.of(p);
-            from_axis_mm
-        };
-        let outside_mm = self.level.part.mesh.points.iter().map(reach).fold(0.0, f64::max) + 2.0 * self.level.radius_mm;
+        let reach_mm = self.level.part.mesh.points.iter().map(|p| self.frame.of(p)[2]).fold(0.0, f64::max);
+        let outside_mm = reach_mm + 2.0 * self.level.radius_mm;
         let angles = (1..SEEDS).map(|k| blade_rad + pitch * k as f64 / SEEDS as f64);
         let found = angles.filter_map(|angle| {
             let touch = self.fallen(z_mm, angle, outside_mm)?;
@@ -190,7 +190,8 @@ impl Passage<'_> {
         };
         let middle = self.on_hub(z_mm, middle_rad, from_axis_mm)?;
         let [_, _, radius_mm] = self.frame.of(&middle.centre);
-        Some((Station { z_mm, middle_rad, half_rad, radius_mm }, ends))
+        let [contact_z_mm, ..] = self.frame.of(&middle.contact);
+        Some((Station { z_mm, middle_rad, half_rad, radius_mm, contact_z_mm }, ends))
     }
 
     /// The angle to which a ball rolls over the hub round the axis before it touches something
@@ -243,7 +244,6 @@ impl Passage<'_> {
         let step_mm = side * STATION * ball_mm;
         let mut out: Vec<Station> = Vec::new();
         let (mut last, mut turn_rad, mut past_mm) = (*first, 0.0, 0.0);
-        let mut contact_mm = f64::NAN;
         loop {
             let z_mm = last.z_mm + step_mm;
             let Some((mut next, ends)) = self.station(z_mm, last.middle_rad + turn_rad, last.radius_mm) else {
@@ -254,12 +254,9 @@ impl Passage<'_> {
                     _ => Ok(out),
                 };
             };
-            let at = self.on_hub(z_mm, next.middle_rad, next.radius_mm).map(|t| self.frame.of(&t.contact)[0]);
-            let Some(at_mm) = at else { return Ok(out) };
-            if ((at_mm - contact_mm) / step_mm) < OVER_EDGE {
+            if (next.contact_z_mm - last.contact_z_mm) / step_mm < OVER_EDGE {
                 return Ok(out);
             }
-            contact_mm = at_mm;
             let expected_rad = last.middle_rad + turn_rad;
             let aside_rad = next.middle_rad - expected_rad;
             if ends && (aside_rad * next.radius_mm).abs() > JUMP * ball_mm {
@@ -343,9 +340,4 @@ fn steepened(mut stations: Vec<Station>) -> Vec<Station> {
         stations[to].half_rad = b.half_rad.min(most);
     }
     stations
-}
-
-/// An angle between −π and π, whole turns off.
-fn wrapped(angle_rad: f64) -> f64 {
-    (angle_rad + PI).rem_euclid(TAU) - PI
 }
