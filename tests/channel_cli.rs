@@ -199,6 +199,8 @@ fn widths_against_b_are_those_of_exact_ends_where_these_are_asked_for() {
     let text = std::fs::read_to_string(d.join("out/sweep_b.json")).expect("written");
     let widths: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     let at_5 = widths[0]["monotone_deg"].as_f64().expect("open");
+    let binds = &widths[0]["binds"];
+    assert!(binds["is"] == "between" && binds["below"]["by"].is_string(), "{binds}");
     // The index's own ends are 0.005 degrees inside.
     assert!((at_5 - narrowest_deg(d)).abs() < 1e-3, "{at_5} {}", narrowest_deg(d));
 }

@@ -1,6 +1,9 @@
 //! The S–θ channel: at each cutter location the angles that the whole tool may take.
 
+use std::fmt;
+
 use super::{ToolPart, packed};
+use crate::error::{Bound, Infeasible};
 
 /// What limits an end of an interval of θ.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -201,7 +204,43 @@ pub struct Width {
     /// S there, mm.
     pub turn_s_mm: f64,
     /// What binds there, or why it is closed.
-    pub binds: String,
+    pub binds: Narrowest,
+}
+
+/// What decides the width of the channel at its narrowest place.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[serde(rename_all = "kebab-case", tag = "is")]
+pub enum Narrowest {
+    /// Walls on both sides.
+    Between {
+        /// What ends the free angles below; none: nothing does.
+        below: Option<Bound>,
+        /// What ends them above.
+        above: Option<Bound>,
+    },
+    /// No angle leads on.
+    Closed {
+        /// Why, in one sentence.
+        message: String,
+        /// The same as data.
+        why: Option<Box<Infeasible>>,
+    },
+    /// That it is closed is all that was asked.
+    NotLookedAt,
+}
+
+impl fmt::Display for Narrowest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Narrowest::Between { below, above } => {
+                let [below, above] =
+                    [below, above].map(|b| b.as_ref().map_or_else(|| "nothing".to_owned(), ToString::to_string));
+                write!(f, "{below} below, {above} above")
+            }
+            Narrowest::Closed { message, .. } => f.write_str(message),
+            Narrowest::NotLookedAt => Ok(()),
+        }
+    }
 }
 
 impl Width {

@@ -1,6 +1,7 @@
 //! What the checks found.
 
 use super::{Blade, CheckId, Plan};
+use crate::error::Missed;
 use crate::geometry::{Point, Vector};
 
 /// One check.
@@ -209,5 +210,11 @@ impl CheckReport {
     /// All checks passed.
     pub fn passed(&self) -> bool {
         self.checks.iter().all(|c| c.passed)
+    }
+
+    /// The checks that did not.
+    pub fn missed(&self) -> Vec<Missed> {
+        let failed = self.checks.iter().filter(|c| !c.passed);
+        failed.map(|c| Missed { check: c.id.to_string(), worst: c.worst, limit: c.limit }).collect()
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::picture::Picture;
-use crate::error::{Error, Stage};
+use crate::error::{Error, Infeasible, Missed, Stage};
 use crate::run::{
     self,
     manifest::{self, Manifest},
@@ -53,6 +53,12 @@ pub struct Record {
     pub stage: Option<Stage>,
     /// Why, in one sentence.
     pub reason: Option<String>,
+    /// What stands in the way of a plan, as data.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub infeasible: Option<Box<Infeasible>>,
+    /// The checks that found something.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missed: Vec<Missed>,
     /// What to do about it.
     pub advice: Option<String>,
     /// The model's file name, or the generator.
@@ -79,6 +85,8 @@ impl Record {
             exit_code: 0,
             stage: None,
             reason: None,
+            infeasible: None,
+            missed: Vec::new(),
             advice: None,
             model: model.to_owned(),
             parameters: parameters.clone(),
@@ -115,6 +123,7 @@ impl Record {
             exit_code: e.kind.exit_code(),
             stage: Some(e.stage),
             reason: Some(e.message.clone()),
+            infeasible: e.infeasible.clone(),
             advice: e.advice.clone(),
             ..self
         }

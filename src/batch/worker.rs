@@ -190,6 +190,7 @@ fn finished(record: Record, key: &str, outcome: &Outcome) -> Result<Record> {
         exit_code: if found.is_some() { ErrorKind::Findings.exit_code() } else { 0 },
         stage: found.map(|_| Stage::Verify),
         reason: found.and_then(finding),
+        missed: found.map_or_else(Vec::new, CheckReport::missed),
         summary,
         picture: outcome.verdict.as_ref().and_then(|v| picture::of(v.value())),
         ..record

@@ -9,7 +9,7 @@
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::artifact::Toolpath;
-use crate::artifact::channel::Width;
+use crate::artifact::channel::{Narrowest, Width};
 use crate::error::{Error, Result, Stage};
 use crate::observe::{Observer, Silent};
 use crate::parallel;
@@ -221,8 +221,10 @@ impl<'a> WidthSearch<'a> {
                 let (blade, is_start) = (self.around.blade, stretch.is_start);
                 let reporter = report::Reporter { blade, path, scene: &scene, samples, is_start };
                 let (turn, turn_s_mm) = at(samples.get(closed.at).map_or(0, |s| s.row));
-                let says = || self.around.closed(tool, options, (&reporter, &layers), closed.at).message;
-                let binds = if why { says() } else { String::new() };
+                let says = || self.around.closed(tool, options, (&reporter, &layers), closed.at);
+                let binds = why
+                    .then(says)
+                    .map_or(Narrowest::NotLookedAt, |e| Narrowest::Closed { message: e.message, why: e.infeasible });
                 return Ok(Width { b_deg, narrowest_deg: None, monotone_deg: None, turn, turn_s_mm, binds });
             }
         };
@@ -233,9 +235,9 @@ impl<'a> WidthSearch<'a> {
         let hull = rows.iter().enumerate().map(|(i, r)| (r.hull_max - r.hull_min, i));
         let (monotone, row) = hull.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
         let (turn, turn_s_mm) = at(row);
-        let binds = rows.get(row).map_or_else(String::new, |r| {
-            let [low, high] = [&r.binds_min, &r.binds_max].map(|b| report::short(b, &self.around.blade.part));
-            format!("{low} below, {high} above")
+        let binds = rows.get(row).map_or(Narrowest::NotLookedAt, |r| {
+            let [below, above] = [&r.binds_min, &r.binds_max].map(|b| report::bound(b, &self.around.blade.part));
+            Narrowest::Between { below, above }
         });
         Ok(Width { b_deg, narrowest_deg, monotone_deg: Some(monotone.to_degrees()), turn, turn_s_mm, binds })
     }

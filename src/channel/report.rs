@@ -154,18 +154,8 @@ impl Reporter<'_> {
 
     /// Bindings as data, each once.
     fn bounds(&self, ends: &[Binding]) -> Vec<Bound> {
-        let one = |b: &Binding| match b {
-            Binding::Part { tool, face, .. } => {
-                Some(Bound::Part { tool: tool.to_string(), face: self.blade.part.face_name(*face).to_string() })
-            }
-            Binding::Fixture { name, tool, .. } => Some(Bound::Fixture { tool: tool.to_string(), name: name.clone() }),
-            Binding::AxisLimit => Some(Bound::AxisLimit),
-            Binding::Travel { axis } => Some(Bound::Travel { axis: axis.clone() }),
-            Binding::ContactAngle => Some(Bound::ContactAngle),
-            Binding::Free => None,
-        };
         let mut out: Vec<Bound> = Vec::new();
-        for bound in ends.iter().filter_map(one) {
+        for bound in ends.iter().filter_map(|b| bound(b, &self.blade.part)) {
             if !out.contains(&bound) {
                 out.push(bound);
             }
@@ -280,15 +270,17 @@ pub(super) fn at(path: &Toolpath, row: usize, to_model: impl Fn(Point) -> Point)
     }
 }
 
-/// A binding in two or three words.
-pub(super) fn short(b: &Binding, part: &Part) -> String {
+/// A binding with the name of its face; `None`: nothing binds.
+pub(super) fn bound(b: &Binding, part: &Part) -> Option<Bound> {
     match b {
-        Binding::Part { tool, face, .. } => format!("{tool} against {}", part.face_name(*face)),
-        Binding::Fixture { name, tool, .. } => format!("{tool} against {name}"),
-        Binding::AxisLimit => "rotary axis".into(),
-        Binding::Travel { axis } => format!("travel of {axis}"),
-        Binding::ContactAngle => "contact angle".into(),
-        Binding::Free => "nothing".into(),
+        Binding::Part { tool, face, .. } => {
+            Some(Bound::Part { tool: tool.to_string(), face: part.face_name(*face).to_string() })
+        }
+        Binding::Fixture { name, tool, .. } => Some(Bound::Fixture { tool: tool.to_string(), name: name.clone() }),
+        Binding::AxisLimit => Some(Bound::AxisLimit),
+        Binding::Travel { axis } => Some(Bound::Travel { axis: axis.clone() }),
+        Binding::ContactAngle => Some(Bound::ContactAngle),
+        Binding::Free => None,
     }
 }
 

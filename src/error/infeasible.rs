@@ -1,6 +1,8 @@
 //! Why there is no plan, as data: what the sentence of an error of kind `Infeasible` says, for
 //! programs.
 
+use std::fmt;
+
 /// A place on the tool path.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct At {
@@ -187,6 +189,20 @@ pub enum Bound {
     },
     /// The permitted range of the contact angle.
     ContactAngle,
+}
+
+impl fmt::Display for Bound {
+    /// In two or three words.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Bound::Part { tool, face: against } | Bound::Fixture { tool, name: against } => {
+                write!(f, "{tool} against {against}")
+            }
+            Bound::AxisLimit => f.write_str("rotary axis"),
+            Bound::Travel { axis } => write!(f, "travel of {axis}"),
+            Bound::ContactAngle => f.write_str("contact angle"),
+        }
+    }
 }
 
 /// What happened.

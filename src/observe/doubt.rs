@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::Remark;
-use crate::error::{EndReason, LeadReason, WhyLeft, WhyNone, turn_number};
+use crate::error::{EndReason, Infeasible, LeadReason, WhyLeft, WhyNone, turn_number};
 
 /// Surface that a ball does not go to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -123,8 +123,10 @@ pub enum Doubt {
     NoPathToCompare {
         /// Name of the kind.
         kind: String,
-        /// Why.
+        /// Why, in one sentence.
         reason: String,
+        /// The same as data.
+        why: Option<Box<Infeasible>>,
     },
     /// Single teeth leave high marks along the feed.
     FeedMarks {
@@ -377,7 +379,7 @@ impl fmt::Display for Doubt {
                 "the section at {height_mm:.3} mm is drawn straight over gaps of the part, {widest_mm:.3} mm at the \
                  widest"
             ),
-            Doubt::NoPathToCompare { kind, reason } => {
+            Doubt::NoPathToCompare { kind, reason, .. } => {
                 write!(f, "no {kind} path over the same region to compare with: {reason}")
             }
             Doubt::FeedMarks { mark_mm, most_mm, fz_mm, feed_mm_min } => write!(

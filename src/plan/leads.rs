@@ -74,10 +74,7 @@ pub(crate) fn restart(setup: &Setup, whole: &Verified<Plan>, turn: usize) -> Res
             Verdict::Passed(passed) if !whole.forced() => return Ok(passed),
             Verdict::Passed(passed) => return Ok(passed.as_forced()),
             Verdict::Failed(rejected) if whole.forced() => return Ok(rejected.write_anyway()),
-            Verdict::Failed(rejected) => {
-                let bad = rejected.report().checks.iter().filter(|c| !c.passed);
-                missed = bad.map(|c| Missed { check: c.id.to_string(), worst: c.worst, limit: c.limit }).collect();
-            }
+            Verdict::Failed(rejected) => missed = rejected.report().missed(),
         }
     }
     let told: Vec<String> =

@@ -46,7 +46,7 @@ pub(crate) fn others(
         let options = PathOptions { settings, extent, ..own };
         let other = match path::plan(&setup.blade, &options, observer) {
             Err(e) if e.kind == ErrorKind::Infeasible => {
-                let doubt = Doubt::NoPathToCompare { kind: kind.name(), reason: e.message };
+                let doubt = Doubt::NoPathToCompare { kind: kind.name(), reason: e.message, why: e.infeasible };
                 observer.warn(Warning { stage: Stage::Path, doubt });
                 continue;
             }

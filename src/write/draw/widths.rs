@@ -10,7 +10,7 @@ pub fn widths_csv(widths: &[Width]) -> String {
     let mut out = String::from("b_deg,narrowest_deg,monotone_deg,turn,S,binds\n");
     let number = |v: Option<f64>| v.map_or_else(String::new, |v| format!("{v:.4}"));
     for w in widths {
-        let binds = w.binds.replace('"', "'");
+        let binds = w.binds.to_string().replace('"', "'");
         let _ = writeln!(
             out,
             "{},{},{},{},{:.3},\"{binds}\"",
@@ -68,17 +68,21 @@ fn chart_of(widths: &[Width]) -> Option<Chart> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::artifact::channel::Narrowest;
+    use crate::error::Bound;
 
     fn width(b_deg: f64, narrowest_deg: Option<f64>) -> Width {
         let monotone_deg = narrowest_deg.map(|w| 0.5 * w - 5.0);
-        Width { b_deg, narrowest_deg, monotone_deg, turn: 3, turn_s_mm: 1.5, binds: "taper \"x\"".into() }
+        let taper = Bound::Part { tool: "taper".into(), face: "\"x\"".into() };
+        let binds = Narrowest::Between { below: Some(taper), above: None };
+        Width { b_deg, narrowest_deg, monotone_deg, turn: 3, turn_s_mm: 1.5, binds }
     }
 
     #[test]
     fn closed_angles_break_the_line_and_leave_cells_empty() {
         let widths = [width(-5.0, Some(30.0)), width(0.0, None), width(5.0, Some(40.0)), width(10.0, Some(44.0))];
         let csv = widths_csv(&widths);
-        assert!(csv.contains("-5,30.0000,10.0000,3,1.500,\"taper 'x'\"\n0,,,3"), "{csv}");
+        assert!(csv.contains("-5,30.0000,10.0000,3,1.500,\"taper against 'x' below, nothing above\"\n0,,,3"), "{csv}");
         let svg = widths_svg(&widths);
         let shaded = |text: &str| text.matches("opacity=\"0.15\"/>\n").count();
         assert_eq!((shaded(&svg), shaded(&widths_inline(&widths))), (1, 1), "{svg}");

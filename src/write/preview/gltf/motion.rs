@@ -16,17 +16,108 @@ use serde_json::json;
 
 use super::glb::Glb;
 use super::{Detail, Scene, extras, single, triple};
+use crate::artifact::plan::Row;
 use crate::artifact::{Plan, Stand};
 use crate::error::Result;
 use crate::geometry::{Rigid, Vector};
 
-/// `count` of `0..n` at most, evenly, first and last among them.
-fn evenly(n: usize, count: usize) -> Vec<usize> {
-    let count = count.clamp(2, n.max(2));
-    if n <= count {
-        return (0..n).collect();
+/// θ between two keys, at most, rad: a viewer turns the table the short way.
+const MOST_TURNED_RAD: f64 = std::f64::consts::PI / 12.0;
+/// Halvings of the range in which the least distance for a number of keys is sought.
+const HALVINGS: usize = 24;
+
+/// The rows that an animation stops at.
+struct Keys {
+    rows: Vec<usize>,
+    /// How far the tool, moved evenly in time from key to key, is at most from where a row has it,
+    /// by the ball's centre and the end of the tool, mm.
+    off_mm: f64,
+}
+
+impl Keys {
+    /// At most `count` of the rows, those from which the others are least far off; more where the
+    /// table would turn too far between two.
+    fn of(rows: &[Row], length_mm: f64, count: usize) -> Self {
+        let times: Vec<f64> = rows.iter().map(|r| r.t_s).collect();
+        let places: Vec<[f64; 6]> = rows
+            .iter()
+            .map(|r| {
+                let (c, e) = (r.stand.centre, r.stand.centre + r.stand.axis() * length_mm);
+                [c.x, c.y, c.z, e.x, e.y, e.z]
+            })
+            .collect();
+        let theta: Vec<f64> = rows.iter().map(|r| r.stand.theta).collect();
+        let within = |off_mm: f64| within(&times, &places, &theta, off_mm);
+        let all: Vec<usize> = (0..rows.len()).filter(|&i| i == 0 || times[i] > times[i - 1]).collect();
+        if all.len() <= count {
+            return Keys { rows: all, off_mm: 0.0 };
+        }
+        let spread = |k: usize| {
+            let (low, high) = places.iter().fold((f64::MAX, f64::MIN), |s, p| (s.0.min(p[k]), s.1.max(p[k])));
+            high - low
+        };
+        let (mut low, mut high) = (0.0, (0..6).map(spread).fold(0.0, f64::max));
+        for _ in 0..HALVINGS {
+            let mid = 0.5 * (low + high);
+            *(if within(mid).len() <= count { &mut high } else { &mut low }) = mid;
+        }
+        let chosen = within(high);
+        Keys { off_mm: greatest_off(rows, &chosen, length_mm), rows: chosen }
     }
-    (0..count).map(|k| k * (n - 1) / (count - 1)).collect()
+}
+
+/// How far rows are at most from the tool that moves evenly in time between those chosen, mm.
+fn greatest_off(rows: &[Row], chosen: &[usize], length_mm: f64) -> f64 {
+    let end = Vector::z() * length_mm;
+    let place = |row: &Row| Rigid::from_parts(row.stand.centre.coords.into(), attitude(&row.stand));
+    let off = |pair: &[usize]| {
+        let (a, b) = (&rows[pair[0]], &rows[pair[1]]);
+        let (from, to) = (place(a), place(b));
+        let one = |row: &Row| {
+            let share = (row.t_s - a.t_s) / (b.t_s - a.t_s);
+            let (own, shown) = (place(row), from.lerp_slerp(&to, share));
+            let centre = (own.translation.vector - shown.translation.vector).norm();
+            centre.max((own * nalgebra::Point3::from(end) - shown * nalgebra::Point3::from(end)).norm())
+        };
+        rows[pair[0]..pair[1]].iter().map(one).fold(0.0, f64::max)
+    };
+    chosen.windows(2).map(off).fold(0.0, f64::max)
+}
+
+/// Rows such that all between two of them are within `off` of the straight way in time from one to
+/// the other, in every coordinate: each way is drawn out while one slope of every coordinate passes
+/// all rows so far at that distance (Bristol 1990, "Swinging door trending"). Rows without time
+/// between them count once.
+fn within(times: &[f64], places: &[[f64; 6]], theta: &[f64], off: f64) -> Vec<usize> {
+    const OPEN: [[f64; 2]; 6] = [[f64::NEG_INFINITY, f64::INFINITY]; 6];
+    let mut out: Vec<usize> = Vec::new();
+    let (mut from, mut last, mut doors) = (0, 0, OPEN);
+    for (i, at) in places.iter().enumerate() {
+        let Some(&anchor) = out.last() else {
+            out.push(i);
+            (from, last) = (i, i);
+            continue;
+        };
+        if times[i] <= times[last] {
+            continue;
+        }
+        let slopes =
+            |from: usize| std::array::from_fn::<_, 6, _>(|k| (at[k] - places[from][k]) / (times[i] - times[from]));
+        let fits = slopes(from).iter().zip(&doors).all(|(s, d)| (d[0]..=d[1]).contains(s));
+        if last > anchor && !(fits && (theta[i] - theta[from]).abs() <= MOST_TURNED_RAD) {
+            out.push(last);
+            (from, doors) = (last, OPEN);
+        }
+        let reach = off / (times[i] - times[from]);
+        for (door, slope) in doors.iter_mut().zip(slopes(from)) {
+            *door = [door[0].max(slope - reach), door[1].min(slope + reach)];
+        }
+        last = i;
+    }
+    if out.last().is_some_and(|k| *k < last) {
+        out.push(last);
+    }
+    out
 }
 
 /// Places of a node over time, translations and rotations `(x, y, z, w)`.
@@ -82,10 +173,10 @@ pub(super) fn lean(b_rad: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector::z(), &Vector::new(sb, cb, 0.0)).unwrap_or_default()
 }
 
-/// The part's place on the machine at a location: where its axes stand, where each location has a
-/// cone of its own; else as [`crate::machine::Machine::shown_part`] shows it.
+/// The part's place on the machine in a row of the plan: where its axes stand, where each location
+/// has a cone of its own; else as [`crate::machine::Machine::shown_part`] shows it.
 fn part_on_machine(plan: &Plan, scene: &Scene, stand: &Stand, row: usize) -> Rigid {
-    let at = plan.motion.position.get(row).filter(|_| plan.toolpath.cones.same().is_none());
+    let at = plan.axes_at(row).filter(|_| plan.toolpath.cones.same().is_none());
     at.map_or_else(|| scene.machine.shown_part(about_the_blade(stand)), |at| scene.machine.part_at(at))
 }
 
@@ -113,21 +204,22 @@ pub(super) fn animations(
     (workpiece, tool): (Index<Node>, Index<Node>),
     detail: &Detail,
 ) -> Result<Vec<Animation>> {
-    let n = plan.toolpath.locations.len().min(plan.schedule.theta.len()).min(plan.motion.t_s.len());
+    let rows: Vec<Row> = plan.rows().collect();
+    let keys = Keys::of(&rows, scene.tool.length_mm(), detail.keys);
     let speed = scene.play_speed(plan);
     let model = &scene.blade.model_from_blade;
     let (to_scene, part_from_model) = (scene_from_machine(plan, scene), model.inverse());
     let mut times: Vec<f32> = Vec::new();
     let [mut fixed, mut carried, mut turned] = [Track::default(), Track::default(), Track::default()];
-    for i in evenly(n, detail.keys) {
-        let time = single(plan.motion.t_s[i] / speed)?;
+    for row in &keys.rows {
+        let Row { stand, t_s, .. } = &rows[*row];
+        let time = single(t_s / speed)?;
         if times.last().is_some_and(|t| time <= *t) {
             continue;
         }
         times.push(time);
-        let Some(stand) = plan.stand(i) else { continue };
-        let in_part = Rigid::from_parts(stand.centre.coords.into(), attitude(&stand));
-        let table = to_scene * part_on_machine(plan, scene, &stand, i);
+        let in_part = Rigid::from_parts(stand.centre.coords.into(), attitude(stand));
+        let table = to_scene * part_on_machine(plan, scene, stand, *row);
         fixed.push(&(model * in_part))?;
         carried.push(&(table * in_part))?;
         turned.push(&(table * part_from_model))?;
@@ -136,8 +228,12 @@ pub(super) fn animations(
         return Ok(Vec::new());
     }
     let input = glb.times(&times);
-    let note =
-        |what: &str| json!({ "what": what, "machining_time_s": plan.motion.time_s, "played_times_faster": speed });
+    let note = |what: &str| {
+        json!({
+            "what": what, "machining_time_s": plan.motion.time_s, "played_times_faster": speed,
+            "keys": times.len(), "off_the_plan_mm_at_most": keys.off_mm,
+        })
+    };
     let ends = [times[0], times[times.len() - 1]];
     let (mut rest, ends) = (Track::default(), glb.times(&ends));
     rest.push(&Rigid::identity())?;
@@ -184,4 +280,54 @@ pub(super) fn animation(glb: &mut Glb, tracks: &[MovedNode], name: String, note:
         }
     }
     Animation { extensions: None, extras: extras(note), channels, name: Some(name), samplers }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn keys_are_few_where_the_tool_goes_evenly_and_say_how_far_off_they_are() {
+        // Rows that crowd in one place, as about an edge: keys by number would crowd there too.
+        let mut rows: Vec<Row> = sample::with_leads(sample::plan(3, 600)).rows().collect();
+        let crowd: Vec<Row> = (1..400)
+            .map(|k| {
+                let share = f64::from(k) / 400.0;
+                let mut row = rows[700];
+                row.stand = rows[700].stand.towards(&rows[701].stand, share);
+                row.t_s += (rows[701].t_s - row.t_s) * share;
+                row
+            })
+            .collect();
+        rows.splice(701..701, crowd);
+        let length_mm = sample::tool().length_mm();
+        let keys = Keys::of(&rows, length_mm, 300);
+        assert!(keys.rows.len() <= 300 && keys.rows.len() > 250, "{}", keys.rows.len());
+        assert_eq!((keys.rows[0], keys.rows[keys.rows.len() - 1]), (0, rows.len() - 1));
+        let evenly: Vec<usize> = (0..300).map(|k| k * (rows.len() - 1) / 299).collect();
+        let other = greatest_off(&rows, &evenly, length_mm);
+        assert!(keys.off_mm > 0.0 && keys.off_mm < 0.8 * other, "{} {other}", keys.off_mm);
+        // All rows where they fit.
+        let all = Keys::of(&rows, length_mm, rows.len());
+        assert!(all.rows.len() >= rows.len() - 2 && all.off_mm == 0.0, "{}", all.rows.len());
+    }
+
+    #[test]
+    fn the_table_turns_the_short_way_between_keys() {
+        let rows: Vec<Row> = sample::plan(4, 90).rows().collect();
+        let keys = Keys::of(&rows, 100.0, 2);
+        let most = keys.rows.windows(2).map(|w| rows[w[1]].stand.theta - rows[w[0]].stand.theta).fold(0.0, f64::max);
+        assert!(most <= MOST_TURNED_RAD + 1e-9 && keys.rows.len() > 90, "{most} {}", keys.rows.len());
+    }
+
+    #[test]
+    fn axes_of_a_row_are_those_of_its_lead_or_location() {
+        let plan = sample::with_leads(sample::plan(1, 40));
+        let [before, after] = plan.leads.each_ref().map(|l| &l.motion.position);
+        let all: Vec<&[f64]> = before.iter().chain(plan.motion.position.iter()).chain(after.iter()).collect();
+        assert!(before.len() > 2 && plan.rows().count() == all.len());
+        assert!(all.iter().enumerate().all(|(k, at)| plan.axes_at(k) == Some(*at)));
+        assert_eq!(plan.axes_at(all.len()), None);
+    }
 }

@@ -4,7 +4,7 @@
 use serde_json::Value;
 
 use super::*;
-use crate::artifact::channel::Binding;
+use crate::artifact::channel::{Binding, Narrowest};
 use crate::artifact::program::{Asked, CutLine, Grammar, Language, Programmed, Setting};
 use crate::artifact::sphere::{self, CellState, FreeSphere, SphereCell};
 use crate::artifact::{Cone, Cones, Sweep, ToolPart};
@@ -57,7 +57,7 @@ fn with_input<T>(plan: Option<&Plan>, run: impl FnOnce(ReportInput) -> T) -> T {
         monotone_deg: w,
         turn: 1,
         turn_s_mm: 2.0,
-        binds: "taper".into(),
+        binds: Narrowest::NotLookedAt,
     };
     let widths = [width(0.0, None), width(5.0, Some(33.25)), width(10.0, Some(30.0))];
     let program = program();
