@@ -8,7 +8,7 @@ use super::record::Record;
 
 /// One value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Cell {
+pub(super) enum TableCell {
     Empty,
     Integer(i64),
     Number(f64),
@@ -20,27 +20,27 @@ pub(super) enum Cell {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Column {
     pub name: String,
-    pub cells: Vec<Cell>,
+    pub cells: Vec<TableCell>,
 }
 
 /// Columns of a family: what each member is, how it ended, its parameters, all figures of its
 /// summary.
 pub(super) fn columns(records: &[Record]) -> Vec<Column> {
-    let text = |s: &str| if s.is_empty() { Cell::Empty } else { Cell::Text(s.to_owned()) };
-    let some = |s: &Option<String>| s.as_deref().map_or(Cell::Empty, text);
-    let fixed = |name: &str, cell: &dyn Fn(&Record) -> Cell| Column {
+    let text = |s: &str| if s.is_empty() { TableCell::Empty } else { TableCell::Text(s.to_owned()) };
+    let some = |s: &Option<String>| s.as_deref().map_or(TableCell::Empty, text);
+    let fixed = |name: &str, cell: &dyn Fn(&Record) -> TableCell| Column {
         name: name.to_owned(),
         cells: records.iter().map(cell).collect(),
     };
     let mut all = vec![
         fixed("name", &|r| text(&r.name)),
         fixed("status", &|r| text(r.status.word())),
-        fixed("exit_code", &|r| Cell::Integer(i64::from(r.exit_code))),
-        fixed("stage", &|r| r.stage.map_or(Cell::Empty, |s| text(&s.to_string()))),
+        fixed("exit_code", &|r| TableCell::Integer(i64::from(r.exit_code))),
+        fixed("stage", &|r| r.stage.map_or(TableCell::Empty, |s| text(&s.to_string()))),
         fixed("reason", &|r| some(&r.reason)),
         fixed("advice", &|r| some(&r.advice)),
         fixed("model", &|r| text(&r.model)),
-        fixed("warnings", &|r| Cell::Integer(i64::try_from(r.warnings).unwrap_or(i64::MAX))),
+        fixed("warnings", &|r| TableCell::Integer(i64::try_from(r.warnings).unwrap_or(i64::MAX))),
         fixed("key", &|r| text(&r.key)),
     ];
     let parameters = records.iter().map(|r| r.parameters.iter().map(|(k, v)| (k.clone(), cell(v))).collect());
@@ -57,11 +57,11 @@ pub(super) fn columns(records: &[Record]) -> Vec<Column> {
 }
 
 /// Maps of cells by name as columns, by name.
-fn gather(rows: usize, maps: impl Iterator<Item = BTreeMap<String, Cell>>) -> Vec<Column> {
-    let mut found: BTreeMap<String, Vec<Cell>> = BTreeMap::new();
+fn gather(rows: usize, maps: impl Iterator<Item = BTreeMap<String, TableCell>>) -> Vec<Column> {
+    let mut found: BTreeMap<String, Vec<TableCell>> = BTreeMap::new();
     for (row, map) in maps.enumerate() {
         for (name, value) in map {
-            let cells = found.entry(name).or_insert_with(|| vec![Cell::Empty; rows]);
+            let cells = found.entry(name).or_insert_with(|| vec![TableCell::Empty; rows]);
             if let Some(place) = cells.get_mut(row) {
                 *place = value;
             }
@@ -70,19 +70,21 @@ fn gather(rows: usize, maps: impl Iterator<Item = BTreeMap<String, Cell>>) -> Ve
     found.into_iter().map(|(name, cells)| Column { name, cells: of_one_kind(cells) }).collect()
 }
 
-fn cell(value: &Value) -> Cell {
+fn cell(value: &Value) -> TableCell {
     match value {
-        Value::Null => Cell::Empty,
-        Value::Bool(b) => Cell::Truth(*b),
-        Value::Number(n) => n.as_i64().map_or_else(|| n.as_f64().map_or(Cell::Empty, Cell::Number), Cell::Integer),
-        Value::String(s) => Cell::Text(s.clone()),
-        other => Cell::Text(other.to_string()),
+        Value::Null => TableCell::Empty,
+        Value::Bool(b) => TableCell::Truth(*b),
+        Value::Number(n) => {
+            n.as_i64().map_or_else(|| n.as_f64().map_or(TableCell::Empty, TableCell::Number), TableCell::Integer)
+        }
+        Value::String(s) => TableCell::Text(s.clone()),
+        other => TableCell::Text(other.to_string()),
     }
 }
 
 /// Names of nested values are joined by dots. Entries of a list are called by their `axis`, a
 /// schedule that was not used by its `kind`, the others by their number.
-fn flatten(path: &str, value: &Value, flat: &mut BTreeMap<String, Cell>) {
+fn flatten(path: &str, value: &Value, flat: &mut BTreeMap<String, TableCell>) {
     let below = |part: &str| if path.is_empty() { part.to_owned() } else { format!("{path}.{part}") };
     match value {
         // The member's own name stands in front, and what calls an entry need not stand in it
@@ -109,30 +111,30 @@ fn flatten(path: &str, value: &Value, flat: &mut BTreeMap<String, Cell>) {
 }
 
 /// Integers beside fractions become numbers, anything beside texts becomes text.
-fn of_one_kind(cells: Vec<Cell>) -> Vec<Cell> {
-    let has = |f: fn(&Cell) -> bool| cells.iter().any(f);
-    let (texts, truths) = (has(|c| matches!(c, Cell::Text(_))), has(|c| matches!(c, Cell::Truth(_))));
-    let numbers = has(|c| matches!(c, Cell::Integer(_) | Cell::Number(_)));
-    let fractions = has(|c| matches!(c, Cell::Number(_)));
+fn of_one_kind(cells: Vec<TableCell>) -> Vec<TableCell> {
+    let has = |f: fn(&TableCell) -> bool| cells.iter().any(f);
+    let (texts, truths) = (has(|c| matches!(c, TableCell::Text(_))), has(|c| matches!(c, TableCell::Truth(_))));
+    let numbers = has(|c| matches!(c, TableCell::Integer(_) | TableCell::Number(_)));
+    let fractions = has(|c| matches!(c, TableCell::Number(_)));
     let mixed = texts || (truths && numbers);
-    let turn = |c: Cell| match c {
-        Cell::Empty | Cell::Text(_) => c,
-        c if mixed => Cell::Text(c.to_string()),
-        Cell::Integer(i) if fractions => Cell::Number(i as f64),
+    let turn = |c: TableCell| match c {
+        TableCell::Empty | TableCell::Text(_) => c,
+        c if mixed => TableCell::Text(c.to_string()),
+        TableCell::Integer(i) if fractions => TableCell::Number(i as f64),
         c => c,
     };
     cells.into_iter().map(turn).collect()
 }
 
-impl std::fmt::Display for Cell {
+impl std::fmt::Display for TableCell {
     /// As in the CSV table: numbers with as many digits as bring them back.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Cell::Empty => Ok(()),
-            Cell::Integer(i) => write!(f, "{i}"),
-            Cell::Number(x) => write!(f, "{x}"),
-            Cell::Truth(b) => write!(f, "{b}"),
-            Cell::Text(s) => f.write_str(s),
+            TableCell::Empty => Ok(()),
+            TableCell::Integer(i) => write!(f, "{i}"),
+            TableCell::Number(x) => write!(f, "{x}"),
+            TableCell::Truth(b) => write!(f, "{b}"),
+            TableCell::Text(s) => f.write_str(s),
         }
     }
 }

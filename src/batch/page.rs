@@ -4,7 +4,7 @@
 
 use serde_json::{Value, json};
 
-use super::columns::{Cell, Column};
+use super::columns::{Column, TableCell};
 use super::record::{Record, Status};
 use crate::error::{Error, Result, Stage};
 
@@ -68,13 +68,13 @@ pub(super) fn html(name: &str, records: &[Record], columns: &[Column]) -> Result
     ))
 }
 
-fn value(cell: &Cell) -> Value {
+fn value(cell: &TableCell) -> Value {
     match cell {
-        Cell::Empty => Value::Null,
-        Cell::Integer(i) => json!(i),
-        Cell::Number(x) => json!(x),
-        Cell::Truth(b) => json!(b),
-        Cell::Text(s) => json!(s),
+        TableCell::Empty => Value::Null,
+        TableCell::Integer(i) => json!(i),
+        TableCell::Number(x) => json!(x),
+        TableCell::Truth(b) => json!(b),
+        TableCell::Text(s) => json!(s),
     }
 }
 

@@ -9,7 +9,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::{Type, TypePtr};
 
-use super::columns::{Cell, Column};
+use super::columns::{Column, TableCell};
 use crate::error::{Error, Result, Stage};
 
 /// The columns as CSV with a header; empty cells are empty, texts are quoted where they must be.
@@ -21,7 +21,7 @@ pub(super) fn csv(columns: &[Column]) -> Result<Vec<u8>> {
     let mut out = csv::Writer::from_writer(Vec::new());
     out.write_record(columns.iter().map(|c| &c.name)).map_err(|e| trouble(e.to_string()))?;
     for row in 0..columns.first().map_or(0, |c| c.cells.len()) {
-        let cells = columns.iter().map(|c| c.cells.get(row).map(Cell::to_string).unwrap_or_default());
+        let cells = columns.iter().map(|c| c.cells.get(row).map(TableCell::to_string).unwrap_or_default());
         out.write_record(cells).map_err(|e| trouble(e.to_string()))?;
     }
     out.into_inner().map_err(|e| trouble(e.to_string()))
@@ -37,10 +37,10 @@ pub(super) fn parquet(columns: &[Column]) -> Result<Vec<u8>> {
 }
 
 fn physical(column: &Column) -> Physical {
-    match column.cells.iter().find(|c| **c != Cell::Empty) {
-        Some(Cell::Integer(_)) => Physical::INT64,
-        Some(Cell::Number(_)) => Physical::DOUBLE,
-        Some(Cell::Truth(_)) => Physical::BOOLEAN,
+    match column.cells.iter().find(|c| **c != TableCell::Empty) {
+        Some(TableCell::Integer(_)) => Physical::INT64,
+        Some(TableCell::Number(_)) => Physical::DOUBLE,
+        Some(TableCell::Truth(_)) => Physical::BOOLEAN,
         _ => Physical::BYTE_ARRAY,
     }
 }
@@ -60,19 +60,19 @@ fn write(columns: &[Column]) -> std::result::Result<Vec<u8>, ParquetError> {
     for c in columns {
         match physical(c) {
             Physical::INT64 => put::<Int64Type>(&mut group, c, |x| match x {
-                Cell::Integer(i) => Some(*i),
+                TableCell::Integer(i) => Some(*i),
                 _ => None,
             })?,
             Physical::DOUBLE => put::<DoubleType>(&mut group, c, |x| match x {
-                Cell::Number(v) => Some(*v),
+                TableCell::Number(v) => Some(*v),
                 _ => None,
             })?,
             Physical::BOOLEAN => put::<BoolType>(&mut group, c, |x| match x {
-                Cell::Truth(b) => Some(*b),
+                TableCell::Truth(b) => Some(*b),
                 _ => None,
             })?,
             _ => put::<ByteArrayType>(&mut group, c, |x| match x {
-                Cell::Text(s) => Some(ByteArray::from(s.as_str())),
+                TableCell::Text(s) => Some(ByteArray::from(s.as_str())),
                 _ => None,
             })?,
         }
@@ -85,7 +85,7 @@ fn write(columns: &[Column]) -> std::result::Result<Vec<u8>, ParquetError> {
 fn put<T: DataType>(
     group: &mut SerializedRowGroupWriter<'_, Vec<u8>>,
     column: &Column,
-    value: impl Fn(&Cell) -> Option<T::T>,
+    value: impl Fn(&TableCell) -> Option<T::T>,
 ) -> std::result::Result<(), ParquetError> {
     let Some(mut writer) = group.next_column()? else {
         return Err(ParquetError::General("fewer columns than were declared".into()));

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::columns::{Cell, columns};
+use super::columns::{TableCell, columns};
 use super::*;
 
 fn write(dir: &Path, name: &str, text: &str) {
@@ -229,12 +229,12 @@ fn tables_hold_every_figure_and_come_back() {
     varied.parameters.insert("tool.radius_mm".into(), serde_json::json!(2.5));
     let all = columns(&[record("a", a), varied, failed]);
     let find = |name: &str| &all.iter().find(|c| c.name == name).unwrap_or_else(|| panic!("{name}")).cells;
-    assert_eq!(find("turns")[..], [Cell::Integer(3), Cell::Integer(4), Cell::Empty]);
-    assert_eq!(find("time")[..], [Cell::Number(1.5), Cell::Number(2.0), Cell::Empty]);
-    assert_eq!(find("schedules.used.axes.X.velocity")[0], Cell::Number(7.0));
-    assert_eq!(find("schedules.fixed.axes.X.velocity")[0], Cell::Number(9.0));
-    assert_eq!(find("region.1")[0], Cell::Number(2.0));
-    assert_eq!(find("tool.radius_mm")[1], Cell::Number(2.5));
+    assert_eq!(find("turns")[..], [TableCell::Integer(3), TableCell::Integer(4), TableCell::Empty]);
+    assert_eq!(find("time")[..], [TableCell::Number(1.5), TableCell::Number(2.0), TableCell::Empty]);
+    assert_eq!(find("schedules.used.axes.X.velocity")[0], TableCell::Number(7.0));
+    assert_eq!(find("schedules.fixed.axes.X.velocity")[0], TableCell::Number(9.0));
+    assert_eq!(find("region.1")[0], TableCell::Number(2.0));
+    assert_eq!(find("tool.radius_mm")[1], TableCell::Number(2.5));
 
     let text = String::from_utf8(tables::csv(&all).unwrap()).unwrap();
     let mut reader = csv::Reader::from_reader(text.as_bytes());

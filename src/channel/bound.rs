@@ -25,7 +25,7 @@ pub(super) struct FreeSweep {
 
 /// How much room a node has.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Room {
+pub(super) struct NodeRoom {
     pub mm: f64,
     /// What a radian of growth of the intervals may cost, mm.
     pub across: f64,
@@ -35,14 +35,14 @@ pub(super) struct Room {
     pub facets: Option<[Facet; 2]>,
 }
 
-impl Room {
+impl NodeRoom {
     pub fn new(mm: f64, across: f64, reach: f64) -> Self {
-        Room { mm, across, reach, facets: None }
+        NodeRoom { mm, across, reach, facets: None }
     }
 
     /// Of what is out of the tool's reach however it turns, or not clear at all.
     pub fn anyhow(mm: f64) -> Self {
-        Room::new(mm, 0.0, 0.0)
+        NodeRoom::new(mm, 0.0, 0.0)
     }
 }
 
@@ -331,10 +331,10 @@ pub(super) fn room(
     v: &Vector,
     radius: f64,
     half: &[Vector; 3],
-) -> Option<Room> {
+) -> Option<NodeRoom> {
     let far = v.norm() - radius - profile.farthest;
     if far > NONE_MM {
-        return Some(Room::anyhow(far));
+        return Some(NodeRoom::anyhow(far));
     }
     if one_arc(profile, v, radius) {
         return room_beside(profile, sweeps, b, v, radius, half);
@@ -355,11 +355,11 @@ fn room_beside(
     v: &Vector,
     radius: f64,
     half: &[Vector; 3],
-) -> Option<Room> {
+) -> Option<NodeRoom> {
     let (rho, reach) = ((v.y * v.y + v.z * v.z).sqrt() + radius, v.norm() + radius);
     if !sweeps.iter().all(|s| s.is_beside(v, radius)) {
         let mm = least_at_own_azimuth(profile, b, v, radius, half);
-        return (mm > NONE_MM).then_some(Room::new(mm, 0.0, reach + mm));
+        return (mm > NONE_MM).then_some(NodeRoom::new(mm, 0.0, reach + mm));
     }
     let (mut mm, mut facets) = (f64::INFINITY, None);
     for s in sweeps {
@@ -375,9 +375,9 @@ fn room_beside(
     }
     if mm == f64::INFINITY {
         // Nothing is free: any room will do until something is.
-        return Some(Room::new(radius, rho, reach + radius));
+        return Some(NodeRoom::new(radius, rho, reach + radius));
     }
-    Some(Room { mm, across: rho + mm, reach: reach + mm, facets: facets.filter(|_| sweeps.len() == 1) })
+    Some(NodeRoom { mm, across: rho + mm, reach: reach + mm, facets: facets.filter(|_| sweeps.len() == 1) })
 }
 
 /// Room from margins at angles so near to one another that none between them is less than half of
@@ -389,7 +389,7 @@ fn walked(
     v: &Vector,
     radius: f64,
     half: &[Vector; 3],
-) -> Option<Room> {
+) -> Option<NodeRoom> {
     // Most that are not clear at all are not clear at an end.
     let mut ends = sweeps.iter().flat_map(|s| s.axes);
     if ends.any(|axis| least_margin(profile, &axis, v, radius, half) <= NONE_MM) {
@@ -414,7 +414,7 @@ fn walked(
         }
     }
     let mm = mm.min(radius.max(1.0));
-    Some(Room::new(mm, rho + mm, v.norm() + radius + mm))
+    Some(NodeRoom::new(mm, rho + mm, v.norm() + radius + mm))
 }
 
 /// What there is to say about a triangle between the ends of the intervals.

@@ -56,7 +56,7 @@ impl Tangent {
 
 /// What is known of a triangle, with the proof.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Near {
+pub(super) enum Nearness {
     /// All points have a positive margin.
     Clear(Tangent),
     /// This point has none.
@@ -78,47 +78,47 @@ pub(super) fn triangle(
         return Verdict::Clear;
     }
     match nearest(frustum, axis, corners, &centre) {
-        Near::Clear(_) => Verdict::Clear,
-        Near::Taken(p) => Verdict::Taken(p),
-        Near::Open => Verdict::Open,
+        Nearness::Clear(_) => Verdict::Clear,
+        Nearness::Taken(p) => Verdict::Taken(p),
+        Nearness::Open => Verdict::Open,
     }
 }
 
 /// As [`triangle`], with the proof; `centre` is a point of the triangle.
-pub(super) fn nearest(frustum: &Frustum, axis: &Vector, corners: &[Vector; 3], centre: &Vector) -> Near {
+pub(super) fn nearest(frustum: &Frustum, axis: &Vector, corners: &[Vector; 3], centre: &Vector) -> Nearness {
     let ends = corners.map(|c| margin(frustum, axis, &c));
     if let Some(k) = ends.iter().position(|e| e.0 <= 0.0) {
-        return Near::Taken(corners[k]);
+        return Nearness::Taken(corners[k]);
     }
     if let Some(normal) = (corners[1] - corners[0]).cross(&(corners[2] - corners[0])).try_normalize(1e-14) {
         let (room, slope, p) = frustum.off_plane(axis, &normal, normal.dot(&corners[0]), centre);
         if room > NONE_MM {
-            return Near::Clear(Tangent { at: p, margin: room, slope });
+            return Nearness::Clear(Tangent { at: p, margin: room, slope });
         }
         let inside =
             [(0, 1), (1, 2), (2, 0)].map(|(j, k)| (corners[k] - corners[j]).cross(&(p - corners[j])).dot(&normal));
         if inside.iter().all(|s| *s >= 0.0) && margin(frustum, axis, &p).0 <= 0.0 {
-            return Near::Taken(p);
+            return Nearness::Taken(p);
         }
     }
     let mut least = Tangent { at: *centre, margin: f64::INFINITY, slope: Vector::zeros() };
     for (j, k) in [(0, 1), (1, 2), (2, 0)] {
         match along_edge(frustum, axis, [&corners[j], &corners[k]], [ends[j], ends[k]]) {
-            Near::Clear(t) if t.margin < least.margin => least = t,
-            Near::Clear(_) => {}
+            Nearness::Clear(t) if t.margin < least.margin => least = t,
+            Nearness::Clear(_) => {}
             other => return other,
         }
     }
-    Near::Clear(least)
+    Nearness::Clear(least)
 }
 
 /// The least margin on an edge with margins and slopes `at` its ends.
-fn along_edge(frustum: &Frustum, axis: &Vector, ends: [&Vector; 2], at: [(f64, Vector); 2]) -> Near {
+fn along_edge(frustum: &Frustum, axis: &Vector, ends: [&Vector; 2], at: [(f64, Vector); 2]) -> Nearness {
     let edge = ends[1] - ends[0];
     let rise = at.map(|(_, slope)| slope.dot(&edge));
     for (k, lowest) in [(0, rise[0] >= 0.0), (1, rise[1] <= 0.0)] {
         if lowest {
-            return Near::Clear(Tangent { at: *ends[k], margin: at[k].0, slope: at[k].1 });
+            return Nearness::Clear(Tangent { at: *ends[k], margin: at[k].0, slope: at[k].1 });
         }
     }
     let (mut from, mut to) = ((0.0, rise[0]), (1.0, rise[1]));
@@ -130,17 +130,17 @@ fn along_edge(frustum: &Frustum, axis: &Vector, ends: [&Vector; 2], at: [(f64, V
         let p = ends[0] + edge * t;
         let (m, slope) = margin(frustum, axis, &p);
         if m <= 0.0 {
-            return Near::Taken(p);
+            return Nearness::Taken(p);
         }
         let rise = slope.dot(&edge);
         let rest = if rise > 0.0 { t - from.0 } else { to.0 - t };
         let room = m - rise.abs() * rest;
         if room > NONE_MM && room > 0.5 * m {
-            return Near::Clear(Tangent { at: p, margin: m, slope });
+            return Nearness::Clear(Tangent { at: p, margin: m, slope });
         }
         if rise > 0.0 { to = (t, rise) } else { from = (t, rise) }
     }
-    Near::Open
+    Nearness::Open
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use super::discs::Discs;
 use super::forbidden::Free;
 use super::report::Reporter;
 use super::samples::Sample;
-use super::windows::Scene;
+use super::windows::WindowScene;
 use super::{ChannelOptions, Surroundings, halved};
 use crate::artifact::Toolpath;
 use crate::error::{Bound, Error, Infeasible, Result, Stage};
@@ -38,7 +38,7 @@ pub(super) fn layers(
     (samples, path): (&[Sample], &Toolpath),
     observer: &dyn Observer,
 ) -> Result<Vec<Vec<Free>>> {
-    let scene = Scene { around, tool, options, path };
+    let scene = WindowScene { around, tool, options, path };
     let windows = scene.windows(samples);
     let clear_of_tool = halved::clear_of_tool(&scene, samples, &windows, observer)?;
     let chunks = samples.len().div_ceil(CHUNK);
@@ -74,7 +74,7 @@ pub(super) fn closed(
     (reporter, at): (&Reporter, usize),
 ) -> Option<Error> {
     let sample = reporter.samples.get(at)?;
-    let scene = Scene { around, tool, options, path: reporter.path };
+    let scene = WindowScene { around, tool, options, path: reporter.path };
     let [least, most] = [options.settings.contact_angle_min_deg, options.settings.contact_angle_max_deg];
     let place = reporter.place(sample.row);
     let refused = |why: String, bound: Bound, advice: String| {

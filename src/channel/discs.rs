@@ -7,7 +7,7 @@ use super::arcs::Witness;
 use super::forbidden::Free;
 use super::samples::Sample;
 use super::tree::{Below, SphereTree};
-use super::windows::Scene;
+use super::windows::WindowScene;
 use crate::artifact::Obstacle;
 use crate::error::Bound;
 use crate::geometry::Point;
@@ -35,7 +35,7 @@ pub(super) struct Cut {
 
 /// The disc against the part and the bodies about it.
 pub(super) struct Discs<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a WindowScene<'a>,
     bodies: Vec<Body<'a>>,
     /// Nodes of a tree that are still to be looked at.
     open: Vec<u32>,
@@ -106,7 +106,7 @@ fn facet_near(
 }
 
 impl<'a> Discs<'a> {
-    pub fn new(scene: &'a Scene<'a>) -> Self {
+    pub fn new(scene: &'a WindowScene<'a>) -> Self {
         let (around, corner_mm) = (scene.around, scene.tool.corner_mm());
         let part = around.trees.first().map(|tree| {
             let near_mm = corner_mm + scene.path.stock_mm - CUT_MM;

@@ -13,10 +13,10 @@
 //! A node with room for some steps is passed over until that is used up. Near the places where the
 //! tool touches there is none for a single step: there the planes are looked at at every place.
 
-use super::bound::Room;
+use super::bound::NodeRoom;
 use super::forbidden::Start;
 use super::lanes::Lanes;
-use super::planes::{Due, FrontNode, Limit, NONE_MM, Now, Plane, Seen};
+use super::planes::{Due, FrontNode, NONE_MM, Now, Plane, PlaneLimit, Seen};
 
 /// Room of other parts that counts, mm.
 const MOST_MM: f64 = 1e3;
@@ -34,7 +34,7 @@ struct Lasting {
 /// The front.
 #[derive(Default)]
 pub(super) struct Front {
-    limits: Vec<Limit>,
+    limits: Vec<PlaneLimit>,
     /// One for each limit.
     lasting: Vec<Lasting>,
     /// Looked at at every place.
@@ -54,12 +54,12 @@ impl Front {
     }
 
     /// Takes a node in, with its room about what is swept now.
-    pub fn hold(&mut self, at: Start, room: &Room, now: &Now) {
+    pub fn hold(&mut self, at: Start, room: &NodeRoom, now: &Now) {
         let mut with_planes = None;
         if let (Some(facets), [sweep]) = (&room.facets, now.sweeps.as_slice()) {
             let others = facets[0].others.min(facets[1].others).min(MOST_MM);
             let reach = room.reach - room.mm + others;
-            let others = Limit::new(others, room.across - room.mm + others, reach, &now.used);
+            let others = PlaneLimit::new(others, room.across - room.mm + others, reach, &now.used);
             let on = now.bodies[usize::from(at.0)].tree.node(at.1);
             let seen = Seen::new(on, now, reach);
             let planes = [0, 1].map(|k| Plane::new(facets[k].part, &facets[k].flat, &seen, now, (sweep, k)));
@@ -70,7 +70,7 @@ impl Front {
             }
             with_planes = Some(node);
         }
-        self.limits.push(Limit::new(room.mm, room.across, room.reach, &now.used));
+        self.limits.push(PlaneLimit::new(room.mm, room.across, room.reach, &now.used));
         self.lasting.push(Lasting { at, node: with_planes });
     }
 
@@ -102,7 +102,7 @@ impl Front {
                 let node = self.brief.get(k);
                 self.brief.swap_remove(k);
                 let [across, reach] = node.far(now);
-                self.limits.push(Limit::new(room, across + room, reach + room, &now.used));
+                self.limits.push(PlaneLimit::new(room, across + room, reach + room, &now.used));
                 self.lasting.push(Lasting { at: node.at, node: Some(node) });
             } else if room <= NONE_MM {
                 let (at, parts) = self.brief.name(k);

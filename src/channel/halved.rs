@@ -8,7 +8,7 @@
 use super::arcs::Witness;
 use super::forbidden::{Free, ObstacleScene, PlaceSearch};
 use super::samples::Sample;
-use super::windows::{Scene, Window};
+use super::windows::{Window, WindowScene};
 use super::{ChannelOptions, bound, track};
 use crate::error::Result;
 use crate::numerics::angle;
@@ -29,7 +29,7 @@ const BETWEEN: f64 = 1.05;
 
 /// What is free of windows, place by place.
 pub(super) fn clear_of_tool(
-    scene: &Scene,
+    scene: &WindowScene,
     samples: &[Sample],
     windows: &[Window],
     observer: &dyn Observer,
@@ -118,7 +118,7 @@ struct Decided {
 
 /// The places of a path with their windows.
 struct WindowPlaces<'a> {
-    scene: &'a Scene<'a>,
+    scene: &'a WindowScene<'a>,
     samples: &'a [Sample],
     windows: &'a [Window],
     /// What the search keeps to besides windows.

@@ -6,7 +6,7 @@ use wide::f64x4;
 
 use super::bound::FreeSweep;
 use super::forbidden::Start;
-use super::planes::{FrontNode, Limit, Now, Plane};
+use super::planes::{FrontNode, Now, Plane, PlaneLimit};
 use crate::geometry::{Point, Vector};
 
 const LANES: usize = 4;
@@ -60,7 +60,7 @@ impl Lanes {
     }
 
     /// What the other parts leave it.
-    pub fn others(&self, k: usize) -> Limit {
+    pub fn others(&self, k: usize) -> PlaneLimit {
         self.blocks[k / LANES].others.get(k % LANES)
     }
 
@@ -152,8 +152,8 @@ impl NodeBlock {
 }
 
 impl LimitLanes {
-    fn get(&self, l: usize) -> Limit {
-        Limit { across: self.across.as_array()[l], reach: self.reach.as_array()[l], at: self.at.as_array()[l] }
+    fn get(&self, l: usize) -> PlaneLimit {
+        PlaneLimit { across: self.across.as_array()[l], reach: self.reach.as_array()[l], at: self.at.as_array()[l] }
     }
 }
 
@@ -218,7 +218,7 @@ mod tests {
             at: (3, number),
             centre: Point::new(k, 2.0 * k, 3.0 * k),
             radius: 4.0 * k,
-            others: Limit { across: 5.0 * k, reach: 7.0 * k, at: 6.0 * k },
+            others: PlaneLimit { across: 5.0 * k, reach: 7.0 * k, at: 6.0 * k },
             planes: [plane(number as u16, 0.6), plane(number as u16 + 1, 0.7)],
         }
     }
@@ -284,7 +284,7 @@ mod tests {
                 }
                 Plane::new(0, &flat, &seen, &first, (&then, k))
             });
-            let others = Limit { across: 0.0, reach: seen.reach, at: f64::MAX };
+            let others = PlaneLimit { across: 0.0, reach: seen.reach, at: f64::MAX };
             let mut lanes = Lanes::default();
             lanes.push(&node(1));
             lanes.push(&FrontNode { at: (0, 0), centre: on.centre, radius: on.radius, others, planes });

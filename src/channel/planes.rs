@@ -36,15 +36,15 @@ impl Used {
 
 /// Used up at: way plus growth times `across`, plus what the cone turns by times `reach`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Limit {
+pub(super) struct PlaneLimit {
     pub across: f64,
     pub reach: f64,
     pub at: f64,
 }
 
-impl Limit {
+impl PlaneLimit {
     pub fn new(mm: f64, across: f64, reach: f64, used: &Used) -> Self {
-        Limit { across, reach, at: mm + used.way + used.growth * across + (used.turn + used.tip) * reach }
+        PlaneLimit { across, reach, at: mm + used.way + used.growth * across + (used.turn + used.tip) * reach }
     }
 
     pub fn holds(&self, used: &Used) -> bool {
@@ -162,7 +162,7 @@ pub(super) struct FrontNode {
     pub centre: Point,
     pub radius: f64,
     /// Of the parts that the planes are not about.
-    pub others: Limit,
+    pub others: PlaneLimit,
     pub planes: [Plane; 2],
 }
 
@@ -189,7 +189,7 @@ impl FrontNode {
     }
 
     /// A node with new planes of the same parts; an error where they leave no room.
-    pub fn renewed(at: Start, parts: [u16; 2], others: Limit, now: &Now, sweep: &FreeSweep) -> Result<Self, Due> {
+    pub fn renewed(at: Start, parts: [u16; 2], others: PlaneLimit, now: &Now, sweep: &FreeSweep) -> Result<Self, Due> {
         let due = Due::new(at);
         let on = &now.bodies[usize::from(at.0)];
         let node = on.tree.node(at.1);

@@ -431,7 +431,7 @@ impl<'a> SphereSearch<'a> {
             clear::margin(f, &cell.axis, &middle).0 > reach + moved
                 || match clear::nearest(f, &cell.axis, &corners, &middle) {
                     // The bound is concave over the triangle: it is least at a corner.
-                    clear::Near::Clear(t) => corners.iter().all(|c| t.over(c) > cell.nearer(c, &t.slope)),
+                    clear::Nearness::Clear(t) => corners.iter().all(|c| t.over(c) > cell.nearer(c, &t.slope)),
                     _ => false,
                 }
         });

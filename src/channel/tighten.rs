@@ -167,9 +167,9 @@ impl ExactEnds<'_> {
         let corners = body.tree.corners(leaf).map(|c| c - sample.centre);
         let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
         let nearest = match clear::nearest(f, &axis, &corners, &middle) {
-            clear::Near::Clear(t) => t.at,
-            clear::Near::Taken(p) => p,
-            clear::Near::Open => middle,
+            clear::Nearness::Clear(t) => t.at,
+            clear::Nearness::Taken(p) => p,
+            clear::Nearness::Open => middle,
         };
         Some(self.part.closest(&(sample.centre + nearest), NEAR_MM)?.point)
     }
@@ -470,8 +470,8 @@ fn off_hull(
     let mut nearest: Option<clear::Tangent> = None;
     for flat in [[a, b, c], [a, c, d]] {
         match clear::nearest(f, axis, &flat, &flat[0]) {
-            clear::Near::Clear(t) if nearest.is_none_or(|n| t.margin < n.margin) => nearest = Some(t),
-            clear::Near::Clear(_) => {}
+            clear::Nearness::Clear(t) if nearest.is_none_or(|n| t.margin < n.margin) => nearest = Some(t),
+            clear::Nearness::Clear(_) => {}
             _ => return best,
         }
     }

@@ -27,8 +27,8 @@ use crate::observe::Observer;
 use crate::parallel;
 
 use super::arcs::{Arc, Witness};
-use super::bound::{self, Between, Facet, Flat, FreeSweep, Room};
-use super::clear::{self, Near, Verdict};
+use super::bound::{self, Between, Facet, Flat, FreeSweep, NodeRoom};
+use super::clear::{self, Nearness, Verdict};
 use super::forbidden::{Free, ObstacleScene, PlaceSearch, Start};
 use super::front::Front;
 use super::planes::{Due, Now};
@@ -296,7 +296,7 @@ impl<'a> Tracker<'a> {
             match on.tree.below(index) {
                 Below::Nodes(left, right) => self.open.extend([right, left].map(|i| Due::new((body, i)))),
                 Below::Leaf(leaf) => {
-                    let room = self.settle(body, leaf, Some(&v)).unwrap_or(Room::anyhow(f64::NEG_INFINITY));
+                    let room = self.settle(body, leaf, Some(&v)).unwrap_or(NodeRoom::anyhow(f64::NEG_INFINITY));
                     self.front.hold((body, index), &room, &self.now);
                 }
             }
@@ -305,7 +305,7 @@ impl<'a> Tracker<'a> {
 
     /// Makes known what a leaf forbids beyond what is; the room that is left, where there is any.
     /// Where nothing can be shown for the whole leaf it is halved.
-    fn settle(&mut self, body: u16, leaf: u32, box_at: Option<&Vector>) -> Option<Room> {
+    fn settle(&mut self, body: u16, leaf: u32, box_at: Option<&Vector>) -> Option<NodeRoom> {
         let scene = self.scene;
         let on = &scene.bodies[usize::from(body)];
         let (centre, b, sight) = (self.search.centre(), self.search.b(), *self.search.sight());
@@ -368,7 +368,7 @@ impl<'a> Tracker<'a> {
             }));
         }
         let across = (whole.y * whole.y + whole.z * whole.z).sqrt() + radius + least;
-        Some(Room::new(least, across, whole.norm() + radius + least))
+        Some(NodeRoom::new(least, across, whole.norm() + radius + least))
     }
 
     /// Chooses few of the points found that cover all that is known to be taken.
@@ -410,7 +410,7 @@ impl<'a> Tracker<'a> {
 /// What a triangle leaves at the ends of the free intervals.
 enum TriangleLeaves {
     /// It is clear there; the room that can be shown.
-    Clear(Option<Room>),
+    Clear(Option<NodeRoom>),
     /// This point is too near.
     Taken(Vector),
     /// Too near to tell.
@@ -449,7 +449,7 @@ fn look(
                     continue;
                 }
                 match clear::nearest(f, axis, corners, middle) {
-                    Near::Clear(tangent) => {
+                    Nearness::Clear(tangent) => {
                         let least = tangent.least(corners);
                         match &mut facets {
                             Some(both) if least > 1e-9 => {
@@ -458,8 +458,8 @@ fn look(
                             _ => facets = None,
                         }
                     }
-                    Near::Taken(p) => return TriangleLeaves::Taken(p),
-                    Near::Open => return TriangleLeaves::Open,
+                    Nearness::Taken(p) => return TriangleLeaves::Taken(p),
+                    Nearness::Open => return TriangleLeaves::Open,
                 }
             }
         }
@@ -467,6 +467,6 @@ fn look(
     let rho = (middle.y * middle.y + middle.z * middle.z).sqrt() + radius;
     TriangleLeaves::Clear(facets.filter(|_| sweeps.len() == 1).map(|both| {
         let mm = both[0].flat.least.min(both[1].flat.least);
-        Room { mm, across: rho + mm, reach: middle.norm() + radius + mm, facets: Some(both) }
+        NodeRoom { mm, across: rho + mm, reach: middle.norm() + radius + mm, facets: Some(both) }
     }))
 }

@@ -17,7 +17,7 @@ const MOST_BEND: usize = 50;
 const OPENS_RAD: f64 = 0.01;
 
 /// A cutter with a corner among bodies.
-pub(super) struct Scene<'a> {
+pub(super) struct WindowScene<'a> {
     pub around: &'a Surroundings<'a>,
     pub tool: &'a Tool,
     pub options: &'a ChannelOptions,
@@ -27,7 +27,7 @@ pub(super) struct Scene<'a> {
 /// θ from and to, rad.
 pub(super) type Window = Option<[f64; 2]>;
 
-impl Scene<'_> {
+impl WindowScene<'_> {
     /// θ that contact angle and ridges leave at a place.
     pub fn window(&self, samples: &[Sample], k: usize) -> Window {
         let (s, settings) = (&samples[k], &self.options.settings);

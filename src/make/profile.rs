@@ -18,7 +18,7 @@
 //!
 //! is one analytic closed curve: leading edge at φ = 0, concave (pressure) side for 0 < φ < π,
 //! trailing edge at φ = π, convex (suction) side back; counter-clockwise. Its curvature at the
-//! edges is that of circles of the given radii. Guaranteed after [`Section::validate`]: the
+//! edges is that of circles of the given radii. Guaranteed after [`SectionNumbers::validate`]: the
 //! thickness grows up to `x_m` and falls after it.
 
 use super::design::{AirfoilDesign, LawCurve};
@@ -26,7 +26,7 @@ use crate::error::{Error, Result, Stage};
 
 /// One section's numbers: mm and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Section {
+pub struct SectionNumbers {
     /// Chord, mm.
     pub chord: f64,
     /// Angle of the chord from x.
@@ -51,7 +51,7 @@ fn camber(x: f64, tan_inlet: f64, tan_outlet: f64) -> [f64; 2] {
     [x * (1.0 - x) * (a + b * x), (1.0 - 2.0 * x) * (a + b * x) + x * (1.0 - x) * b]
 }
 
-impl Section {
+impl SectionNumbers {
     /// Half thickness over chord at `x`.
     pub fn half_thickness(&self, x: f64) -> f64 {
         (x * (1.0 - x)).max(0.0).sqrt() * self.thickness_polynomial(x)
@@ -150,7 +150,7 @@ impl BladeSections {
     }
 
     /// The section at a height fraction.
-    pub fn at(&self, fraction: f64) -> Section {
+    pub fn at(&self, fraction: f64) -> SectionNumbers {
         let c = self.chord.at(fraction);
         let xm = self.thickness_at.at(fraction);
         let (inlet, outlet) = (self.inlet.at(fraction).to_radians(), self.outlet.at(fraction).to_radians());
@@ -163,7 +163,7 @@ impl BladeSections {
         let s = (gm - g0 * (1.0 - xm) - g1 * xm) / w;
         let b = (slope - (g1 - g0) - (1.0 - 2.0 * xm) * s) / w;
         let a = s - b * xm;
-        Section {
+        SectionNumbers {
             chord: c,
             stagger: self.stagger.at(fraction).to_radians(),
             tan_inlet: inlet.tan(),
@@ -183,7 +183,7 @@ mod tests {
     use super::*;
 
     /// Curvature by differences; positive where the section is convex.
-    fn curvature(s: &Section, phi: f64) -> f64 {
+    fn curvature(s: &SectionNumbers, phi: f64) -> f64 {
         let h = 1e-4;
         let [a, b, c] = [phi - h, phi, phi + h].map(|p| s.point(p));
         let d = [(c[0] - a[0]) / (2.0 * h), (c[1] - a[1]) / (2.0 * h)];

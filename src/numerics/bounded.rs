@@ -52,7 +52,7 @@ const PIVOT: f64 = 1e-14;
 /// Limits on a sum over the control values of a span: `lo ≤ Σ g[k] · x[k] ≤ hi`. One of the two may
 /// be infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row<const W: usize> {
+pub struct SumLimit<const W: usize> {
     /// Factors of the control values, one after another.
     pub g: [f64; W],
     /// Least value.
@@ -82,7 +82,7 @@ pub struct Span<const D: usize, const W: usize> {
     /// First derivative where all control values are 0.
     pub gradient: [f64; W],
     /// Single limits.
-    pub rows: Vec<Row<W>>,
+    pub rows: Vec<SumLimit<W>>,
     /// Limits on ordinates.
     pub strips: Vec<Strip<D>>,
 }
@@ -655,7 +655,7 @@ mod tests {
         assert!((found.objective - 3.0).abs() < 1e-4);
         // A row on their sum alone: the same.
         spans[0].strips.clear();
-        spans[0].rows.push(Row { g: [1.0; 6], lo: 6.0, hi: 8.0 });
+        spans[0].rows.push(SumLimit { g: [1.0; 6], lo: 6.0, hi: 8.0 });
         let found = solve(&spans, 1.0, ENOUGH, 10.0).unwrap();
         assert!((found.objective - 3.0).abs() < 1e-4 && found.bound <= 3.0 + 1e-9);
     }
@@ -664,8 +664,8 @@ mod tests {
     fn limits_against_one_another_are_named() {
         let breaks = Breaks::new(vec![0.0, 1.0, 2.0, 3.0]).unwrap();
         let (mut spans, at_zero) = nearest(&breaks, &[0.5; 8], &[[-1.0, 1.0]; 3]);
-        spans[1].rows.push(Row { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: 3.0, hi: 4.0 });
-        spans[1].rows.push(Row { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: -4.0, hi: -3.0 });
+        spans[1].rows.push(SumLimit { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: 3.0, hi: 4.0 });
+        spans[1].rows.push(SumLimit { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: -4.0, hi: -3.0 });
         let Missed(missed) = solve(&spans, at_zero, ENOUGH, 1e3).unwrap_err();
         assert!(missed.iter().any(|(i, by)| *i == 1 && *by > 1.0), "{missed:?}");
         spans[1].rows[0].lo = f64::NAN;
@@ -682,8 +682,8 @@ mod tests {
         let (mut spans, at_zero) = nearest(&breaks, &vec![0.5; SPANS + 5], &limits);
         assert!(solve(&spans, at_zero, ENOUGH, 1e3).is_ok());
         for at in [40, 220] {
-            spans[at].rows.push(Row { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: 3.0, hi: 4.0 });
-            spans[at].rows.push(Row { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: -4.0, hi: 1.0 });
+            spans[at].rows.push(SumLimit { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: 3.0, hi: 4.0 });
+            spans[at].rows.push(SumLimit { g: [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], lo: -4.0, hi: 1.0 });
         }
         let Missed(missed) = solve(&spans, at_zero, ENOUGH, 1e3).unwrap_err();
         let is_near = |i: usize| i.abs_diff(40) <= 5 || i.abs_diff(220) <= 5;

@@ -28,7 +28,7 @@ use dense::{first_state, invert_controls};
 
 /// One inequality `g · v ≤ most`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row<const V: usize> {
+pub struct Inequality<const V: usize> {
     /// Coefficients.
     pub g: [f64; V],
     /// Right-hand side.
@@ -45,7 +45,7 @@ pub struct Stage<const X: usize, const V: usize> {
     /// Linear part of the objective.
     pub gradient: [f64; V],
     /// Inequalities.
-    pub rows: Vec<Row<V>>,
+    pub rows: Vec<Inequality<V>>,
 }
 
 impl<const X: usize, const V: usize> Default for Stage<X, V> {

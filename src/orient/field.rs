@@ -22,7 +22,7 @@ const NEAR: f64 = 0.1;
 
 /// Directions about the rotor axis: latitudes, and longitudes from the radial direction.
 #[derive(Clone, Debug)]
-pub struct Grid {
+pub struct DirectionGrid {
     /// Rotor axis, unit, blade frame.
     pub axis: Vector,
     /// Radial direction, unit, square to it: longitude 0.
@@ -33,7 +33,7 @@ pub struct Grid {
     pub longitudes: Vec<f64>,
 }
 
-impl Grid {
+impl DirectionGrid {
     /// Directions a step apart, up to a greatest latitude and longitude either side, rad; `None`
     /// where the radial direction is along the axis.
     pub fn new(axis: Vector, radial: Vector, step_rad: f64, most_rad: [f64; 2]) -> Option<Self> {
@@ -43,7 +43,7 @@ impl Grid {
             (-count..=count).map(|k| f64::from(k) * step_rad).collect()
         };
         let [latitudes, longitudes] = most_rad.map(even);
-        Some(Grid { axis: cone.axis, radial: cone.reference, latitudes, longitudes })
+        Some(DirectionGrid { axis: cone.axis, radial: cone.reference, latitudes, longitudes })
     }
 
     /// The cone of a latitude.
@@ -80,7 +80,7 @@ const NARROW: f64 = 0.3;
 /// Which directions of the grid stand for the free intervals of its latitudes, longitudes in rad:
 /// those inside by `margin_rad`, or by a share of the width; where none is, the nearest to the
 /// middle.
-pub fn free_cells(grid: &Grid, intervals: &[Vec<[f64; 2]>], margin_rad: f64) -> FreeCells {
+pub fn free_cells(grid: &DirectionGrid, intervals: &[Vec<[f64; 2]>], margin_rad: f64) -> FreeCells {
     let mut out = vec![false; grid.cells()];
     for (row, free) in intervals.iter().enumerate().take(grid.latitudes.len()) {
         for [lo, hi] in free {
@@ -108,7 +108,7 @@ pub fn free_cells(grid: &Grid, intervals: &[Vec<[f64; 2]>], margin_rad: f64) -> 
 ///
 /// # Errors
 /// The first station to which no way leads.
-pub fn least_way(grid: &Grid, s_mm: &[f64], free: &[FreeCells]) -> Result<Vec<[f64; 2]>, usize> {
+pub fn least_way(grid: &DirectionGrid, s_mm: &[f64], free: &[FreeCells]) -> Result<Vec<[f64; 2]>, usize> {
     let (rows, columns) = (grid.latitudes.len(), grid.longitudes.len());
     let step = |v: &[f64]| if v.len() > 1 { v[1] - v[0] } else { 0.0 };
     let [up, along] = [step(&grid.latitudes), step(&grid.longitudes)];
@@ -173,7 +173,7 @@ pub fn least_way(grid: &Grid, s_mm: &[f64], free: &[FreeCells]) -> Result<Vec<[f
 }
 
 /// How near each cell is to one that is taken: 1 beside it, 0 from [`DEEP`] cells on.
-fn nearness(grid: &Grid, free: &[bool]) -> Vec<f64> {
+fn nearness(grid: &DirectionGrid, free: &[bool]) -> Vec<f64> {
     let (rows, columns) = (grid.latitudes.len(), grid.longitudes.len());
     let mut depth: Vec<u8> = free.iter().map(|f| if *f { DEEP } else { 0 }).collect();
     for level in 1..DEEP {
@@ -202,8 +202,8 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
-    fn grid() -> Grid {
-        Grid::new(Vector::z(), Vector::x(), 0.1, [0.5, 0.8]).unwrap()
+    fn grid() -> DirectionGrid {
+        DirectionGrid::new(Vector::z(), Vector::x(), 0.1, [0.5, 0.8]).unwrap()
     }
 
     #[test]
@@ -219,7 +219,7 @@ mod tests {
     /// Every way is tried on a small grid: none costs less.
     #[test]
     fn no_way_costs_less() {
-        let g = Grid::new(Vector::z(), Vector::x(), 0.1, [0.1, 0.2]).unwrap();
+        let g = DirectionGrid::new(Vector::z(), Vector::x(), 0.1, [0.1, 0.2]).unwrap();
         let s: Vec<f64> = (0..4).map(f64::from).collect();
         let mut seed = 12_345_u32;
         for _ in 0..50 {

@@ -9,7 +9,7 @@
 //! * *Reference planes* ([`reference_planes`]): Chen, Xu and Tang, Journal of Computational Design
 //!   and Engineering 2 (2015) 197–205, equation 2.1. The plane's axes are the cone with lean 0
 //!   about `radial × normal`.
-//! * *Five axes*: a grid of directions about the rotor axis ([`Grid`]), of which closed arcs say
+//! * *Five axes*: a grid of directions about the rotor axis ([`DirectionGrid`]), of which closed arcs say
 //!   what is free ([`free_cells`]); the way through it that turns least and keeps away from what is
 //!   taken ([`least_way`]). `plan/` then lets latitude and longitude follow smooth curves in walls
 //!   that are exact: the one with the other held, in turn.
@@ -23,7 +23,7 @@ mod settings;
 
 use crate::artifact::Toolpath;
 
-pub use field::{FreeCells, Grid, free_cells, least_way};
+pub use field::{DirectionGrid, FreeCells, free_cells, least_way};
 pub use planes::reference_planes;
 pub use settings::{OrientationKeys, OrientationKind, OrientationSettings};
 

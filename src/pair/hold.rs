@@ -61,7 +61,7 @@ pub fn hold(
 
 /// A stretch of a row with the angles that it may be cut at, each with its margin, rad.
 #[derive(Clone)]
-struct Stretch {
+struct RowStretch {
     places: Range<usize>,
     free: FreeAngles,
     candidates: Vec<[f64; 2]>,
@@ -101,7 +101,7 @@ fn split(
     common: &[FreeAngles],
     options: HoldOptions,
     clear: &impl Fn(&Range<usize>, f64) -> bool,
-    out: &mut Vec<Stretch>,
+    out: &mut Vec<RowStretch>,
 ) -> Result<(), usize> {
     let enough = options.margin_rad.min(0.5 * free.widest());
     let grid = (0..(TAU / STEP_RAD).round() as usize).map(|k| k as f64 * STEP_RAD);
@@ -111,7 +111,7 @@ fn split(
         .filter(|[theta, margin]| *margin >= enough * (1.0 - 1e-9) && *margin >= 0.0 && clear(&places, *theta))
         .collect();
     if !candidates.is_empty() {
-        out.push(Stretch { places, free: free.clone(), candidates });
+        out.push(RowStretch { places, free: free.clone(), candidates });
         return Ok(());
     }
     if places.len() < 3 {
@@ -126,7 +126,7 @@ fn split(
 }
 
 /// The candidates between which the table turns least, the widest margin among equals.
-fn chosen(stretches: Vec<(usize, Stretch)>) -> Vec<Held> {
+fn chosen(stretches: Vec<(usize, RowStretch)>) -> Vec<Held> {
     let way = |a: f64, b: f64| {
         let d = (b - a).rem_euclid(TAU);
         d.min(TAU - d)
@@ -153,7 +153,7 @@ fn chosen(stretches: Vec<(usize, Stretch)>) -> Vec<Held> {
         at = layers[n][at].1;
     }
     let mut theta_rad = 0.0;
-    let held = |(n, (row, stretch)): (usize, (usize, Stretch))| {
+    let held = |(n, (row, stretch)): (usize, (usize, RowStretch))| {
         let [theta, margin_rad] = stretch.candidates[picked[n]];
         theta_rad = if n == 0 { theta } else { crate::numerics::angle::nearest_turn(theta, theta_rad) };
         Held { row, places: stretch.places, theta_rad, margin_rad, free: stretch.free }

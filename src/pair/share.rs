@@ -4,7 +4,7 @@ use crate::artifact::region::{Area, of_faces};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::mesh::spread;
-use crate::geometry::opposite::{Pair, Place, has_inside, partner};
+use crate::geometry::opposite::{Pair, SurfacePlace, has_inside, partner};
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::parallel;
@@ -109,12 +109,12 @@ pub fn share(part: &Part, areas: &[Area], chord_mm: f64, observer: &dyn Observer
 fn one(part: &Part, p: &Point, triangle: u32, within_mm: f64) -> Option<Pair> {
     if part.brep.is_none() {
         let [a, b, c] = part.mesh.corners(triangle as usize);
-        let place = Place { point: a + ((b - a) + (c - a)) / 3.0, normal: part.mesh.normal(triangle as usize) };
+        let place = SurfacePlace { point: a + ((b - a) + (c - a)) / 3.0, normal: part.mesh.normal(triangle as usize) };
         return partner(part, place, within_mm);
     }
     // A point of a facet lies beside the exact face.
     let near = part.closest(p, f64::INFINITY)?;
-    partner(part, Place { point: near.point, normal: near.normal }, within_mm)
+    partner(part, SurfacePlace { point: near.point, normal: near.normal }, within_mm)
 }
 
 #[cfg(test)]

@@ -51,7 +51,7 @@ pub(crate) mod sketch;
 pub(crate) mod smoothing;
 mod wheel;
 
-use planning::{Known, Reached};
+use planning::{KnownStages, Reached};
 
 /// A machine without Y can bring the tool everywhere only where that would stand still.
 fn keeps_offset(job: &Job, machine: &Machine) -> Result<()> {
@@ -405,7 +405,7 @@ pub struct Baseline {
 /// # Errors
 /// The first stage's that fails; kind `Cancelled` where the observer asks to stop.
 pub fn plan(setup: &Setup, observer: &dyn Observer) -> Result<Verdict<Plan>> {
-    match planning::stages(setup, None, Known::default(), observer)? {
+    match planning::stages(setup, None, KnownStages::default(), observer)? {
         Reached::Motion(planned) => setup.verdict(planned.0, observer),
         _ => Err(Error::usage(Stage::Feed, "planning ended before the motion")),
     }

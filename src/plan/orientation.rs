@@ -10,7 +10,7 @@ use crate::channel::{self, ChannelOptions, Surroundings};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, turn_number};
 use crate::geometry::{Point, Vector};
 use crate::observe::{Observer, Silent};
-use crate::orient::{self, Grid, OrientationKind};
+use crate::orient::{self, DirectionGrid, OrientationKind};
 use crate::parallel;
 use crate::schedule::{self, ScheduleOptions};
 
@@ -89,7 +89,7 @@ fn five_axis(
 ) -> Result<(Toolpath, Channel)> {
     let step_rad = grid_deg.to_radians();
     let along_blade = || Error::usage(Stage::Channel, "the rotor axis is along the blade");
-    let grid = Grid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
+    let grid = DirectionGrid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
     let mut stations = orient::stations(path, STATION_MM, STATION_RAD);
     let mut free = free_cells(setup, &grid, &path.at(&stations), around, observer)?;
     for _ in 0..MOST_SEARCHES {
@@ -127,7 +127,7 @@ fn closer(stations: &[usize], e: &Error) -> Option<Vec<usize>> {
 fn along_way(
     setup: &Setup,
     path: &Toolpath,
-    (grid, stations, free): (&Grid, &[usize], &[orient::FreeCells]),
+    (grid, stations, free): (&DirectionGrid, &[usize], &[orient::FreeCells]),
     around: &Surroundings,
     observer: &dyn Observer,
 ) -> Result<(Toolpath, Channel)> {
@@ -149,7 +149,7 @@ fn along_way(
 /// What of the grid is free at each station, and within the machine's reach.
 fn free_cells(
     setup: &Setup,
-    grid: &Grid,
+    grid: &DirectionGrid,
     few: &Toolpath,
     around: &Surroundings,
     observer: &dyn Observer,
@@ -185,7 +185,7 @@ fn free_cells(
 }
 
 /// Directions of the grid that the machine's rotary axes reach within their travel.
-fn reached(setup: &Setup, grid: &Grid) -> Vec<bool> {
+fn reached(setup: &Setup, grid: &DirectionGrid) -> Vec<bool> {
     let machine = &setup.machine;
     let near = crate::artifact::Axes::of_default(machine.axes().len());
     let within = |axis: &Vector| {

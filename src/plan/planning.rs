@@ -34,7 +34,7 @@ pub(crate) enum Reached {
 /// What is known before planning begins. A stage whose result is known is not worked on; so is none
 /// before it.
 #[derive(Default)]
-pub(crate) struct Known {
+pub(crate) struct KnownStages {
     pub toolpath: Option<Toolpath>,
     pub channel: Option<Channel>,
     pub schedule: Option<Schedule>,
@@ -44,7 +44,12 @@ pub(crate) struct Known {
 }
 
 /// The planning stages, to `until` or to the end.
-pub(crate) fn stages(setup: &Setup, until: Option<Stage>, known: Known, observer: &dyn Observer) -> Result<Reached> {
+pub(crate) fn stages(
+    setup: &Setup,
+    until: Option<Stage>,
+    known: KnownStages,
+    observer: &dyn Observer,
+) -> Result<Reached> {
     // Path and channel are those of any machine of the kind; a motion is not.
     if !matches!(until, Some(Stage::Path | Stage::Channel | Stage::Schedule)) {
         setup.machine.check_swing(&setup.blade.part.mesh.points)?;

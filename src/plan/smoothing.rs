@@ -108,7 +108,7 @@ pub(crate) fn smoothed(
         if found.stretches.is_empty() {
             return given_up(longest(&found.left).map_or(WhyNone::TooShort, |l| WhyNone::Left { longest: l.why }));
         }
-        let laid = Laid { setup, before, found: &found, kept: &kept };
+        let laid = LaidCurve { setup, before, found: &found, kept: &kept };
         let Some((path, schedule, curve)) = timed(observer, Stage::Smooth, || laid.out()) else {
             return given_up(WhyNone::PartNotNear);
         };
@@ -298,7 +298,7 @@ struct RowOnCurve {
 }
 
 /// A curve that is laid out in rows.
-struct Laid<'a> {
+struct LaidCurve<'a> {
     setup: &'a Setup,
     before: Before<'a>,
     found: &'a Curve,
@@ -306,7 +306,7 @@ struct Laid<'a> {
     kept: &'a [[f64; 2]],
 }
 
-impl Laid<'_> {
+impl LaidCurve<'_> {
     /// Path, schedule and curve, row by row. `None` where the part is nowhere near.
     fn out(&self) -> Option<(Toolpath, Schedule, ProgrammedCurve)> {
         let (places, given_up) = self.places();

@@ -36,12 +36,12 @@ pub struct Listed {
     /// Ball radius.
     pub radius_mm: f64,
     /// What lies behind the ball; `None`: the library does not say.
-    pub body: Option<Body>,
+    pub body: Option<ToolBody>,
 }
 
 /// What lies behind the ball, as in [`crate::tool::Tool`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct Body {
+pub struct ToolBody {
     /// Half angle of the cone behind the ball, degrees.
     pub taper_deg: f64,
     /// Radius of the shank, mm.
@@ -280,7 +280,7 @@ impl FusionTool {
         if let Some(holder) = &self.holder {
             stages.extend(cylinders(&holder.segments, holder.unit.as_deref().map_or(Ok(mm), unit_mm)?)?);
         }
-        let body = Body { taper_deg, shank_radius_mm: neck_mm, stickout_mm: end_mm - radius_mm, stages };
+        let body = ToolBody { taper_deg, shank_radius_mm: neck_mm, stickout_mm: end_mm - radius_mm, stages };
         Ok(Listed { number: self.number(), name: self.name(), radius_mm, body: Some(body) })
     }
 }

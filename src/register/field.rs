@@ -70,7 +70,7 @@ fn signed(q: &Point, near: &Closest, inside: impl FnOnce() -> bool) -> Distance 
 
 /// Distances at the nodes of a grid, linear in each direction between them: coarse, and a hundred
 /// times as fast as asking the mesh.
-pub(super) struct Grid {
+pub(super) struct DistanceGrid {
     min: Point,
     /// Side of a cell, mm.
     pub step_mm: f64,
@@ -81,7 +81,7 @@ pub(super) struct Grid {
 /// About so many nodes.
 const NODES: f64 = 200_000.0;
 
-impl Grid {
+impl DistanceGrid {
     /// A grid over the part and so much beside it; `None` where the part has no triangle.
     pub fn new(part: &Part, beside_mm: f64) -> Option<Self> {
         let Aabb { min, max } = part.mesh.aabb()?;
@@ -107,7 +107,7 @@ impl Grid {
             (0..nx).map(node).map(|d| d.unwrap_or(f32::NAN)).collect::<Vec<_>>()
         };
         let distance_mm = parallel::flat_map(0..ny * nz, row);
-        Some(Grid { min, step_mm, count, distance_mm })
+        Some(DistanceGrid { min, step_mm, count, distance_mm })
     }
 
     fn node(&self, [x, y, z]: [usize; 3]) -> Option<f64> {
@@ -116,7 +116,7 @@ impl Grid {
     }
 }
 
-impl Field for Grid {
+impl Field for DistanceGrid {
     fn at(&self, q: &Point) -> Option<Distance> {
         let mut cell = [0usize; 3];
         let mut share = [0.0; 3];

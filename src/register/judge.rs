@@ -2,7 +2,7 @@
 //! best is.
 
 use super::field::{Exact, Field, Triangles};
-use super::places::{Lay, Place, Places, followed, zero};
+use super::places::{FeedEnd, FeedEnds, Lay, followed, zero};
 use super::search::{Candidate, Search, rms_mm};
 use super::solve::{Centres, Change, Task, UNKNOWNS};
 use crate::error::Result;
@@ -51,7 +51,7 @@ pub(super) struct Determined {
 }
 
 /// The lay bettered on many places, those off the part left out.
-pub(super) fn polished(search: &Search, places: &[Place], lay: &Lay) -> (Lay, f64) {
+pub(super) fn polished(search: &Search, places: &[FeedEnd], lay: &Lay) -> (Lay, f64) {
     let exact = Exact(search.part);
     let mut task = search.task(&exact, places, 0.02, search.free_radius);
     task.most_mm = OFF_MM;
@@ -67,7 +67,7 @@ pub(super) fn polished(search: &Search, places: &[Place], lay: &Lay) -> (Lay, f6
 }
 
 /// Places for [`polished`].
-pub(super) fn many(places: &Places) -> Vec<Place> {
+pub(super) fn many(places: &FeedEnds) -> Vec<FeedEnd> {
     places.sampled(PLACES)
 }
 
@@ -114,7 +114,7 @@ pub(super) fn summed(offs: &[f64], touching_mm: f64) -> Touch {
 }
 
 /// What the places determine about a lay.
-pub(super) fn determined(search: &Search, places: &[Place], lay: &Lay, huber_mm: f64, most: f64) -> Determined {
+pub(super) fn determined(search: &Search, places: &[FeedEnd], lay: &Lay, huber_mm: f64, most: f64) -> Determined {
     let exact = Exact(search.part);
     let task = Task { most_mm: OFF_MM, ..search.task(&exact, places, huber_mm, search.free_radius) };
     let residuals = task.residuals(lay);
@@ -208,9 +208,9 @@ pub(super) fn direction(v: &Vector) -> String {
 
 /// Share of the places at the part in which the shaft passes through it. The shaft is taken half as
 /// thick as it is, so that a gouge counts as none.
-pub(super) fn passing_share(search: &Search, tools: &[&Tool], places: &[Place], lay: &Lay) -> f64 {
+pub(super) fn passing_share(search: &Search, tools: &[&Tool], places: &[FeedEnd], lay: &Lay) -> f64 {
     let mesh = Triangles::new(search.part);
-    let passes = |place: &Place| {
+    let passes = |place: &FeedEnd| {
         let tool = tools.get(place.tool)?;
         let (centre, axis) = (place.centre(lay), place.axis(lay));
         let segments = tool.segments();
@@ -274,7 +274,7 @@ const SAME_MM: f64 = 0.1;
 
 /// Betters the best lay, and the next best where it may come near. What ends where the best is, is
 /// no other.
-pub(super) fn contest(search: &Search, places: &[Place], ranked: &Ranked, ratio: f64) -> Contest {
+pub(super) fn contest(search: &Search, places: &[FeedEnd], ranked: &Ranked, ratio: f64) -> Contest {
     let (mut lay, mut huber_mm) = polished(search, places, &ranked.best.lay);
     let (exact, probe) = (Exact(search.part), search.probe());
     let here = Centres::of(&probe, &lay);

@@ -43,7 +43,7 @@ use crate::error::{Error, Result, Stage};
 use crate::observe::Observer;
 use crate::read::program::{self, Bench, Script, Zero};
 use crate::tool::Tool;
-use places::Places;
+use places::FeedEnds;
 use search::Search;
 
 /// What is asked of a fit.
@@ -135,7 +135,7 @@ pub fn fit(text: &str, benches: &[Bench], blade: &Blade, options: &FitOptions, o
     let (script, benches, words) = read(text, benches, options)?;
     let step = |done| observer.progress(Stage::Verify, done, 4);
     step(0);
-    let places = Places::of(&script, &benches)?;
+    let places = FeedEnds::of(&script, &benches)?;
     let part = &blade.part;
     let (stock_mm, free_radius) = (options.stock_mm, options.free_radius);
     let search = Search { part, places: &places, stock_mm, words, free_radius, observer };

@@ -29,7 +29,7 @@ pub(super) struct Lay {
 
 /// The tool at the end of a feed move.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct FeedEnd {
     /// Index of the tool.
     pub tool: usize,
     /// Radius of its ball, mm.
@@ -56,7 +56,7 @@ pub(super) struct Reaction {
     pub by_radius: Vector,
 }
 
-impl Place {
+impl FeedEnd {
     /// The tool axis, blade frame.
     pub fn axis(&self, lay: &Lay) -> Vector {
         if self.carried { self.map * (lay.frame.rotation * self.axis) } else { self.axis }
@@ -88,14 +88,14 @@ impl Place {
 
     /// The place with all lengths of the program so many times as long.
     fn scaled(&self, scale: f64) -> Self {
-        Place { point: self.point * scale, way_mm: self.way_mm * scale, ..*self }
+        FeedEnd { point: self.point * scale, way_mm: self.way_mm * scale, ..*self }
     }
 }
 
 /// All places of a program.
 #[derive(Clone, Debug)]
-pub(super) struct Places {
-    pub all: Vec<Place>,
+pub(super) struct FeedEnds {
+    pub all: Vec<FeedEnd>,
     /// A frame that is turned can be found: the program is over the part, and no plane of it is
     /// tied to the machine.
     pub turns: bool,
@@ -103,7 +103,7 @@ pub(super) struct Places {
     pub in_axes: bool,
 }
 
-impl Places {
+impl FeedEnds {
     /// The places of a program, which has been read with the language of the benches.
     ///
     /// # Errors
@@ -116,11 +116,11 @@ impl Places {
             let what = format!("the program has {} feed moves that are known from their beginning", all.len());
             return Err(Error::usage(Stage::Verify, what).advise(format!("--fit needs {LEAST} at least")));
         }
-        Ok(Places { all: evened(all), turns, in_axes })
+        Ok(FeedEnds { all: evened(all), turns, in_axes })
     }
 
     /// About so many places, evenly along the way.
-    pub fn sampled(&self, count: usize) -> Vec<Place> {
+    pub fn sampled(&self, count: usize) -> Vec<FeedEnd> {
         let length = self.all.last().map_or(0.0, |p| p.way_mm);
         if self.all.len() <= count || !(length > 0.0) {
             return self.all.clone();
@@ -139,7 +139,7 @@ impl Places {
 
     /// The places with all lengths so many times as long: in another unit.
     pub fn scaled(&self, scale: f64) -> Self {
-        Places { all: self.all.iter().map(|p| p.scaled(scale)).collect(), ..self.clone() }
+        FeedEnds { all: self.all.iter().map(|p| p.scaled(scale)).collect(), ..self.clone() }
     }
 }
 
@@ -147,7 +147,7 @@ impl Places {
 const LONG: f64 = 6.0;
 
 /// The same places, their ways without what long lines have too much.
-fn evened(mut places: Vec<Place>) -> Vec<Place> {
+fn evened(mut places: Vec<FeedEnd>) -> Vec<FeedEnd> {
     let mut steps: Vec<f64> = places.windows(2).map(|w| w[1].way_mm - w[0].way_mm).collect();
     let mut sorted = steps.clone();
     sorted.sort_by(f64::total_cmp);
@@ -211,11 +211,11 @@ fn carried(blocks: &[Block]) -> Vec<bool> {
 }
 
 /// Places in positions of the axes: their centres without an offset, and with one along each axis.
-fn along_axes(script: &Script, benches: &[Bench]) -> Result<Vec<Place>> {
+fn along_axes(script: &Script, benches: &[Bench]) -> Result<Vec<FeedEnd>> {
     let with = |shift: Vector| followed(script, benches, zero(&Rigid::translation(shift.x, shift.y, shift.z), true));
     let base = with(Vector::zeros())?;
     let shifted = [with(Vector::x() * SHIFT_MM)?, with(Vector::y() * SHIFT_MM)?, with(Vector::z() * SHIFT_MM)?];
-    let mut way = Way::default();
+    let mut way = WayLength::default();
     let place = |(k, f): (usize, &Followed)| {
         let bench = benches.get(f.tool)?;
         let pose = |f: &Followed| f.moved.pose(f.share, bench.tool, bench.machine);
@@ -225,7 +225,7 @@ fn along_axes(script: &Script, benches: &[Bench]) -> Result<Vec<Place>> {
         let at = f.moved.at(f.share);
         let linear = bench.machine.linear();
         let axes = Point::from(linear.map(|i| at[i]));
-        Some(Place {
+        Some(FeedEnd {
             tool: f.tool,
             radius_mm: bench.tool.radius_mm,
             // The offset is what is looked for; positions are kept for other units.
@@ -243,12 +243,12 @@ fn along_axes(script: &Script, benches: &[Bench]) -> Result<Vec<Place>> {
 
 /// Length of the way through points.
 #[derive(Default)]
-struct Way {
+struct WayLength {
     last: Option<Point>,
     length_mm: f64,
 }
 
-impl Way {
+impl WayLength {
     fn to(&mut self, point: &Point) -> f64 {
         self.length_mm += self.last.map_or(0.0, |last| (point - last).norm());
         self.last = Some(*point);
@@ -272,7 +272,7 @@ fn tried() -> Vec<Rigid> {
 /// Places over the part. The programmed points come back from the frame that they were followed in;
 /// where the control fixes its frame to the table, what it has fixed is taken from shifts and
 /// half turns.
-fn over_part(script: &Script, benches: &[Bench], turns: bool) -> Result<Vec<Place>> {
+fn over_part(script: &Script, benches: &[Bench], turns: bool) -> Result<Vec<FeedEnd>> {
     let mut failed = None;
     for first in tried().into_iter().take(if turns { usize::MAX } else { 1 }) {
         match places_in(script, benches, &first) {
@@ -324,10 +324,10 @@ impl Probes {
     }
 }
 
-fn places_in(script: &Script, benches: &[Bench], first: &Rigid) -> Result<Vec<Place>> {
+fn places_in(script: &Script, benches: &[Bench], first: &Rigid) -> Result<Vec<FeedEnd>> {
     let probes = Probes::of(script, benches, first)?;
     let (carried, back) = (carried(&script.blocks), first.inverse());
-    let mut way = Way::default();
+    let mut way = WayLength::default();
     let place = |(k, f): (usize, &Followed)| {
         let bench = benches.get(f.tool)?;
         if f.moved.words == Programmed::Machine {
@@ -341,7 +341,7 @@ fn places_in(script: &Script, benches: &[Bench], first: &Rigid) -> Result<Vec<Pl
         let (base, map, over) = probes.affine(k, point)?;
         let axis = bench.machine.axis_at(&f.moved.at(f.share));
         let carried = carried.get(f.moved.block).copied().unwrap_or(false);
-        Some(Place {
+        Some(FeedEnd {
             tool: f.tool,
             radius_mm: bench.tool.radius_mm,
             base,

@@ -3,7 +3,7 @@
 use super::FitOptions;
 use super::field::Exact;
 use super::judge::{Contest, Determined, Touch, determined, direction, many, polished, summed};
-use super::places::{Lay, Place};
+use super::places::{FeedEnd, Lay};
 use super::search::{Candidate, Search};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
@@ -65,7 +65,7 @@ fn other_radius(search: &Search, found: &[Candidate], options: &FitOptions) -> O
     (radius_mm > 0.0 && fits(&grown, &many, &lay, options)).then_some(radius_mm)
 }
 
-fn fits(search: &Search, places: &[Place], lay: &Lay, options: &FitOptions) -> bool {
+fn fits(search: &Search, places: &[FeedEnd], lay: &Lay, options: &FitOptions) -> bool {
     let exact = Exact(search.part);
     let task = search.task(&exact, places, 1.0, false);
     let offs: Vec<f64> = task.residuals(lay).iter().map(|r| r.map_or(f64::INFINITY, |r| r.off_mm.abs())).collect();
@@ -99,7 +99,7 @@ pub(super) fn loose(determined: &Determined, options: &FitOptions) -> Result<()>
 
 /// # Errors
 /// `Infeasible`: another motion fits nearly as well.
-pub(super) fn alike(search: &Search, places: &[Place], contest: &Contest, options: &FitOptions) -> Result<()> {
+pub(super) fn alike(search: &Search, places: &[FeedEnd], contest: &Contest, options: &FitOptions) -> Result<()> {
     let Some((next, ratio)) = contest.next.filter(|n| !(n.1 > options.runner_up_ratio)) else { return Ok(()) };
     let (lay, exact) = (&contest.lay, Exact(search.part));
     let middle = Point::from(search.task(&exact, places, 1.0, false).pivot(lay));

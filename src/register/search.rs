@@ -1,8 +1,8 @@
 //! First guesses all over, and the ones that hold: coarse on a grid of distances, then on the mesh,
 //! then on the exact faces.
 
-use super::field::{Exact, Field, Grid, Triangles};
-use super::places::{Lay, Place, Places};
+use super::field::{DistanceGrid, Exact, Field, Triangles};
+use super::places::{FeedEnd, FeedEnds, Lay};
 use super::solve::{Centres, Change, Normal, Task, UNKNOWNS};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::part::Part;
@@ -11,7 +11,7 @@ use crate::observe::Observer;
 use crate::parallel;
 
 type Matrix3 = nalgebra::Matrix3<f64>;
-type Turn = nalgebra::UnitQuaternion<f64>;
+type Rotation = nalgebra::UnitQuaternion<f64>;
 
 /// Turns that are spread over all of them.
 const TURNS: usize = 720;
@@ -41,7 +41,7 @@ pub(super) struct Candidate {
 /// What is searched.
 pub(super) struct Search<'a> {
     pub part: &'a Part,
-    pub places: &'a Places,
+    pub places: &'a FeedEnds,
     pub stock_mm: f64,
     /// Tips, centres, or both.
     pub words: Vec<bool>,
@@ -53,7 +53,7 @@ pub(super) struct Search<'a> {
 #[derive(Clone, Copy)]
 struct Sieve<'a> {
     field: &'a dyn Field,
-    places: &'a [Place],
+    places: &'a [FeedEnd],
     /// See [`Task::huber_mm`].
     huber_mm: f64,
     /// See [`Task::most_mm`].
@@ -71,7 +71,7 @@ struct Sieve<'a> {
 
 impl<'a> Sieve<'a> {
     /// Fifteen steps; all lays that differ at all are kept.
-    fn new(field: &'a dyn Field, places: &'a [Place], huber_mm: f64, most_mm: f64) -> Self {
+    fn new(field: &'a dyn Field, places: &'a [FeedEnd], huber_mm: f64, most_mm: f64) -> Self {
         let (rough_steps, steps, keep) = (0, 15, usize::MAX);
         Sieve { field, places, huber_mm, most_mm, rough_steps, steps, keep, same_mm: 0.0, free_radius: false }
     }
@@ -90,7 +90,7 @@ impl Search<'_> {
     }
 
     /// Places at which lays are compared: evenly along the way.
-    pub fn probe(&self) -> Vec<Place> {
+    pub fn probe(&self) -> Vec<FeedEnd> {
         self.places.sampled(60)
     }
 
@@ -100,7 +100,7 @@ impl Search<'_> {
     /// `Usage`: the part has no surface; `Cancelled`.
     pub fn run(&self) -> Result<Vec<Candidate>> {
         let reach = self.places.all.iter().map(|p| p.radius_mm).fold(0.0, f64::max) + self.stock_mm;
-        let grid = Grid::new(self.part, 1.5 * reach + 0.05 * self.size_mm())
+        let grid = DistanceGrid::new(self.part, 1.5 * reach + 0.05 * self.size_mm())
             .ok_or_else(|| Error::usage(Stage::Verify, "the part has no surface to lay a program over"))?;
         let (exact, more) = (Exact(self.part), self.places.sampled(300));
         let mut lays = Vec::new();
@@ -118,7 +118,7 @@ impl Search<'_> {
     }
 
     /// Lays on the grid and on the mesh, points being tips or centres.
-    fn roughly(&self, grid: &Grid, tip: bool) -> Result<Vec<Lay>> {
+    fn roughly(&self, grid: &DistanceGrid, tip: bool) -> Result<Vec<Lay>> {
         let [few, some] = [80, 300].map(|n| self.places.sampled(n));
         let (mesh, mm) = (Triangles::new(self.part), grid.step_mm);
         let fewest = self.places.sampled(30);
@@ -142,7 +142,7 @@ impl Search<'_> {
     }
 
     /// A task on a field, nothing left out.
-    pub fn task<'b>(&self, field: &'b dyn Field, places: &'b [Place], huber_mm: f64, radius: bool) -> Task<'b> {
+    pub fn task<'b>(&self, field: &'b dyn Field, places: &'b [FeedEnd], huber_mm: f64, radius: bool) -> Task<'b> {
         let (free, size_mm) = (self.free(radius), self.size_mm());
         Task { field, places, stock_mm: self.stock_mm, free, size_mm, huber_mm, most_mm: f64::INFINITY }
     }
@@ -207,7 +207,7 @@ impl Search<'_> {
 
     /// The lay turned about its own axes and those of the blade: how a part that is symmetric, or
     /// nearly so, is touched as well.
-    fn turned(&self, places: &[Place], lay: &Lay) -> Vec<Lay> {
+    fn turned(&self, places: &[FeedEnd], lay: &Lay) -> Vec<Lay> {
         if !self.places.turns {
             return Vec::new();
         }
@@ -217,8 +217,8 @@ impl Search<'_> {
         let units = [Vector::x(), Vector::y(), Vector::z()];
         let axes = units.into_iter().chain(units.into_iter().map(|u| own * u));
         let about = |pivot: Point| {
-            let (there, back) = (Rigid::from_parts(pivot.coords.into(), Turn::identity()), -pivot.coords);
-            let back = Rigid::from_parts(back.into(), Turn::identity());
+            let (there, back) = (Rigid::from_parts(pivot.coords.into(), Rotation::identity()), -pivot.coords);
+            let back = Rigid::from_parts(back.into(), Rotation::identity());
             axes.clone().flat_map(move |axis| {
                 (1..TWELFTHS).map(move |k| {
                     let angle = std::f64::consts::TAU * f64::from(k) / f64::from(TWELFTHS);
@@ -230,8 +230,8 @@ impl Search<'_> {
     }
 
     /// First guesses: the middle of the places on middles of the part, turned in all ways.
-    fn guesses(&self, places: &[Place], tip: bool) -> Vec<Lay> {
-        let at = |turn: Turn, to: &Point, beside: Vector| laid(places, tip, turn, to, beside);
+    fn guesses(&self, places: &[FeedEnd], tip: bool) -> Vec<Lay> {
+        let at = |turn: Rotation, to: &Point, beside: Vector| laid(places, tip, turn, to, beside);
         let middles = middles(self.part);
         if !self.places.turns {
             let size = 2.0 * self.size_mm();
@@ -241,10 +241,10 @@ impl Search<'_> {
                 })
             };
             let guess =
-                |m: &(Point, Matrix3)| around().map(|b| at(Turn::identity(), &m.0, b * size)).collect::<Vec<_>>();
+                |m: &(Point, Matrix3)| around().map(|b| at(Rotation::identity(), &m.0, b * size)).collect::<Vec<_>>();
             return middles.iter().flat_map(guess).collect();
         }
-        let spread: Vec<Turn> = turns(TURNS).chain(quarters()).collect();
+        let spread: Vec<Rotation> = turns(TURNS).chain(quarters()).collect();
         let own = axes_of(&scatter_of(places, tip));
         let guess = |(middle, scatter): &(Point, Matrix3)| {
             let section = axes_of(scatter);
@@ -280,7 +280,7 @@ pub(super) fn rms_mm(task: &Task, lay: &Lay) -> f64 {
 
 /// The frame with a turn in which the places are about a point, as near as least squares bring them
 /// there, and shifted.
-fn laid(places: &[Place], tip: bool, turn: Turn, to: &Point, beside: Vector) -> Lay {
+fn laid(places: &[FeedEnd], tip: bool, turn: Rotation, to: &Point, beside: Vector) -> Lay {
     let lay = Lay { frame: Rigid::from_parts(Vector::zeros().into(), turn), tip, grown_mm: 0.0 };
     let (mut normal, mut right) = (Matrix3::zeros(), Vector::zeros());
     for place in places {
@@ -335,42 +335,42 @@ fn moments(points: &[(Point, f64)]) -> Option<(Point, Matrix3)> {
     Some((Point::from(mean), scatter / weight))
 }
 
-fn scatter_of(places: &[Place], tip: bool) -> Matrix3 {
+fn scatter_of(places: &[FeedEnd], tip: bool) -> Matrix3 {
     let lay = Lay { frame: Rigid::identity(), tip, grown_mm: 0.0 };
     let points: Vec<(Point, f64)> = places.iter().map(|p| (p.centre(&lay), 1.0)).collect();
     moments(&points).map_or(Matrix3::identity(), |m| m.1)
 }
 
 /// The principal axes of a scatter as a turn: columns in the order of their extent.
-fn axes_of(scatter: &Matrix3) -> Turn {
+fn axes_of(scatter: &Matrix3) -> Rotation {
     let found = scatter.symmetric_eigen();
     let mut order = [0usize, 1, 2];
     order.sort_by(|a, b| found.eigenvalues[*b].total_cmp(&found.eigenvalues[*a]));
     let [a, b] = [order[0], order[1]].map(|k| found.eigenvectors.column(k).into_owned());
     let matrix = Matrix3::from_columns(&[a, b, a.cross(&b)]);
-    Turn::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(matrix))
+    Rotation::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(matrix))
 }
 
 /// The 24 turns that bring the axes onto one another.
-pub(super) fn quarters() -> impl Iterator<Item = Turn> + Clone {
+pub(super) fn quarters() -> impl Iterator<Item = Rotation> + Clone {
     let units = [Vector::x(), -Vector::x(), Vector::y(), -Vector::y(), Vector::z(), -Vector::z()];
     units.into_iter().flat_map(move |a| {
         units.into_iter().filter(move |b| a.dot(b) == 0.0).map(move |b| {
             let matrix = Matrix3::from_columns(&[a, b, a.cross(&b)]);
-            Turn::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(matrix))
+            Rotation::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(matrix))
         })
     })
 }
 
 /// Turns spread evenly over all of them (M. Alexa, *Super-Fibonacci Spirals: Fast, Low-Discrepancy
 /// Sampling of SO(3)*, 2022).
-pub(super) fn turns(count: usize) -> impl Iterator<Item = Turn> + Clone {
+pub(super) fn turns(count: usize) -> impl Iterator<Item = Rotation> + Clone {
     const PSI: f64 = 1.533_751_168_755_204_3;
     (0..count).map(move |k| {
         let s = k as f64 + 0.5;
         let t = s / count as f64;
         let (r, q) = (t.sqrt(), (1.0 - t).sqrt());
         let (a, b) = (std::f64::consts::TAU * s / std::f64::consts::SQRT_2, std::f64::consts::TAU * s / PSI);
-        Turn::from_quaternion(nalgebra::Quaternion::new(q * b.cos(), r * a.sin(), r * a.cos(), q * b.sin()))
+        Rotation::from_quaternion(nalgebra::Quaternion::new(q * b.cos(), r * a.sin(), r * a.cos(), q * b.sin()))
     })
 }

@@ -3,7 +3,7 @@
 //! Parameter*, 1964).
 
 use super::field::Field;
-use super::places::{Lay, Place, Reaction};
+use super::places::{FeedEnd, Lay, Reaction};
 use crate::geometry::{Point, Rigid, Vector};
 use crate::parallel;
 
@@ -22,7 +22,7 @@ const NOTHING_MM: f64 = 1e-8;
 #[derive(Clone, Copy)]
 pub(super) struct Task<'a> {
     pub field: &'a dyn Field,
-    pub places: &'a [Place],
+    pub places: &'a [FeedEnd],
     /// Stock that the balls leave, mm.
     pub stock_mm: f64,
     /// Which unknowns are free.
@@ -45,7 +45,7 @@ pub(super) struct Residual {
 
 impl Task<'_> {
     /// The residual at a place; `None` where there is no distance.
-    fn residual(&self, place: &Place, at: &Reaction, lay: &Lay, pivot: &Vector) -> Option<Residual> {
+    fn residual(&self, place: &FeedEnd, at: &Reaction, lay: &Lay, pivot: &Vector) -> Option<Residual> {
         let (distance_mm, gradient) = self.field.at(&at.centre)?;
         let off_mm = distance_mm - place.radius_mm - lay.grown_mm - self.stock_mm;
         let by_shift = at.map.tr_mul(&gradient);
@@ -61,9 +61,9 @@ impl Task<'_> {
 
     /// Residuals in the order of the places.
     pub fn residuals(&self, lay: &Lay) -> Vec<Option<Residual>> {
-        let all: Vec<(&Place, Reaction)> = self.places.iter().map(|p| (p, p.reaction(lay))).collect();
+        let all: Vec<(&FeedEnd, Reaction)> = self.places.iter().map(|p| (p, p.reaction(lay))).collect();
         let pivot = self.middle(all.iter().map(|(_, at)| at.arm));
-        let one = |(p, at): &(&Place, Reaction)| self.residual(p, at, lay, &pivot);
+        let one = |(p, at): &(&FeedEnd, Reaction)| self.residual(p, at, lay, &pivot);
         match all.len() > SHARED {
             true => parallel::map(&all, one),
             false => all.iter().map(one).collect(),
@@ -190,7 +190,7 @@ pub(super) struct Centres {
 }
 
 impl Centres {
-    pub fn of(places: &[Place], lay: &Lay) -> Self {
+    pub fn of(places: &[FeedEnd], lay: &Lay) -> Self {
         let all: Vec<Point> = places.iter().map(|p| p.centre(lay)).collect();
         let middle = all.iter().map(|p| p.coords).sum::<Vector>() / all.len().max(1) as f64;
         Centres { all, middle }

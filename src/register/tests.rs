@@ -221,7 +221,7 @@ fn the_shaft_tells_sides() {
     let (tool, machine) = (tool(4.0), Machine::demo().unwrap());
     let language = Language { programmed: Programmed::Centre, ..APT };
     let bench = Bench { language, zero: Zero::default(), tool: &tool, machine: &machine };
-    let places = Places::of(&program::read(&text, language).unwrap(), &[bench]).unwrap();
+    let places = FeedEnds::of(&program::read(&text, language).unwrap(), &[bench]).unwrap();
     let search = Search {
         part: &blade.part,
         places: &places,
@@ -233,7 +233,7 @@ fn the_shaft_tells_sides() {
     assert_eq!(judge::passing_share(&search, &[&tool], &places.all, &lay), 0.0);
     // The centres of one side where those of the other were: axes point into the part.
     let text = apt(&contacts.iter().map(|(c, a)| (*c, -a)).collect::<Vec<_>>(), &Rigid::identity(), 0.0, 1.0);
-    let places = Places::of(&program::read(&text, language).unwrap(), &[bench]).unwrap();
+    let places = FeedEnds::of(&program::read(&text, language).unwrap(), &[bench]).unwrap();
     let search = Search { places: &places, ..search };
     assert!(judge::passing_share(&search, &[&tool], &places.all, &lay) > 0.9);
 }
@@ -293,7 +293,7 @@ fn places_are_where_the_machine_goes() {
             blocks.push(again);
         }
         let script = Script { blocks, ..script };
-        let places = Places::of(&script, &[bench]).unwrap();
+        let places = FeedEnds::of(&script, &[bench]).unwrap();
         for k in [4, 9, 30] {
             let mut frame = motion(k);
             if places.in_axes {
@@ -319,7 +319,7 @@ fn slopes_are_those_of_the_distance() {
     let (tool, machine) = (tool(4.0), Machine::demo().unwrap());
     let bench = Bench { language: APT, zero: Zero::default(), tool: &tool, machine: &machine };
     let script = program::read(&apt(&contacts, &motion(3), -4.0, 1.0), APT).unwrap();
-    let places = Places::of(&script, &[bench]).unwrap();
+    let places = FeedEnds::of(&script, &[bench]).unwrap();
     let field = field::Exact(&blade.part);
     let task = Task {
         field: &field,

@@ -54,7 +54,7 @@ use crate::verify::VerifyOptions;
 use crate::verify::audit::{self, Audit, AuditOptions};
 use planned::{Arounds, Planned};
 use rewrite::{Edits, Rewriter};
-use stretches::{Found, Place};
+use stretches::{Found, LineEnd};
 
 /// What is asked of [`reschedule`]. Lengths in mm.
 #[derive(Clone, Debug)]
@@ -111,12 +111,12 @@ impl<'a> Program<'a> {
     }
 
     /// The number of the line that ends at a place, from 1.
-    fn line(&self, place: &Place) -> usize {
+    fn line(&self, place: &LineEnd) -> usize {
         self.blocks().get(place.block).map_or(0, |b| b.line)
     }
 
     /// First and last line on the way through places: that of the first leads to it.
-    fn lines(&self, places: &[Place]) -> [usize; 2] {
+    fn lines(&self, places: &[LineEnd]) -> [usize; 2] {
         [places.get(1), places.last()].map(|p| p.map_or(0, |p| self.line(p)))
     }
 }
@@ -213,7 +213,7 @@ pub fn reschedule(
     for (k, stretch) in found.iter().enumerate() {
         observer.progress(Stage::Schedule, k, found.len());
         observer.check(Stage::Schedule)?;
-        let scene = planned::Scene { program: &program, blade, around: &around, options, observer };
+        let scene = planned::StretchScene { program: &program, blade, around: &around, options, observer };
         planned.push(scene.plan(stretch, &clearances)?);
     }
     observer.progress(Stage::Schedule, found.len(), found.len());
@@ -338,16 +338,16 @@ fn validate(options: &RescheduleOptions) -> Result<()> {
 }
 
 /// Speeds of the ball centre from place to place, mm/s.
-fn speeds(places: &[Place]) -> Vec<f64> {
-    let speed = |w: &[Place]| {
+fn speeds(places: &[LineEnd]) -> Vec<f64> {
+    let speed = |w: &[LineEnd]| {
         let way = (w[1].stand.centre - w[0].stand.centre).norm();
         (way / w[1].seconds.unwrap_or(1.0)).clamp(1e-4, 1e5)
     };
     places.windows(2).map(speed).collect()
 }
 
-fn nothing_touches(places: &[Place], radius_mm: f64, options: &RescheduleOptions) -> Error {
-    let off = |p: &Place| p.at.as_ref().map_or(f64::INFINITY, |c| (c.distance_mm - radius_mm).abs());
+fn nothing_touches(places: &[LineEnd], radius_mm: f64, options: &RescheduleOptions) -> Error {
+    let off = |p: &LineEnd| p.at.as_ref().map_or(f64::INFINITY, |c| (c.distance_mm - radius_mm).abs());
     let nearest = places.iter().filter(|p| p.barred.is_none()).map(off).fold(f64::INFINITY, f64::min);
     let barred = places.iter().find_map(|p| p.barred.filter(|_| off(p) <= options.contact_mm));
     let why = match barred {

@@ -1,6 +1,6 @@
 //! A stretch scheduled anew: channel, schedule and time.
 
-use super::stretches::{FEWEST, Found, Place};
+use super::stretches::{FEWEST, Found, LineEnd};
 use super::{Keeping, Program, RescheduleOptions, sparse, time};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::{CutterLocation, PathKind, Turn};
@@ -25,7 +25,7 @@ const LONG_ENOUGH: f64 = 0.003;
 const MOST_PROOFS: usize = 4;
 
 /// A stretch as stages take it: places in the order in which θ grows.
-pub(super) struct Course {
+pub(super) struct StretchCourse {
     pub path: Toolpath,
     /// The program's own θ, over all turns.
     pub theta: Vec<f64>,
@@ -35,7 +35,7 @@ pub(super) struct Course {
 
 /// A new schedule for the places from `first` on, as many as the schedule has.
 pub(super) struct Planned {
-    pub course: Course,
+    pub course: StretchCourse,
     pub channel: Channel,
     pub schedule: Schedule,
     /// Index of its first place among those of the stretch.
@@ -75,7 +75,7 @@ impl<'a> Arounds<'a> {
 }
 
 /// What stretches are scheduled with.
-pub(super) struct Scene<'a> {
+pub(super) struct StretchScene<'a> {
     pub program: &'a Program<'a>,
     pub blade: &'a Blade,
     pub around: &'a Arounds<'a>,
@@ -83,7 +83,7 @@ pub(super) struct Scene<'a> {
     pub observer: &'a dyn Observer,
 }
 
-impl Scene<'_> {
+impl StretchScene<'_> {
     /// A new schedule with the first of the clearances that allow one, or why there is none.
     ///
     /// # Errors
@@ -141,9 +141,9 @@ impl Scene<'_> {
     }
 
     /// Places of a stretch, from one to another, as stages take them.
-    fn course(&self, found: &Found, [first, last]: [usize; 2]) -> Course {
+    fn course(&self, found: &Found, [first, last]: [usize; 2]) -> StretchCourse {
         let (radius_mm, stock_mm) = (self.program.bench.tool.radius_mm, self.options.stock_mm.unwrap_or(0.0));
-        let mut places: Vec<&Place> = found.places.get(first..=last).unwrap_or_default().iter().collect();
+        let mut places: Vec<&LineEnd> = found.places.get(first..=last).unwrap_or_default().iter().collect();
         let backwards = runs_backwards(&places);
         if backwards {
             places.reverse();
@@ -197,7 +197,7 @@ impl Scene<'_> {
             turns,
             locations,
         };
-        Course { path, theta: places.iter().map(|p| p.stand.theta).collect(), backwards }
+        StretchCourse { path, theta: places.iter().map(|p| p.stand.theta).collect(), backwards }
     }
 
     /// The channel; by exact faces where it closes by their mesh. Along a long course those are
@@ -240,10 +240,10 @@ impl Scene<'_> {
     /// jerk on which the tool comes nearer than it may, as `short` has them.
     fn fastest(
         &self,
-        course: &Course,
+        course: &StretchCourse,
         channel: &Channel,
         ends: [f64; 2],
-        places: &[Place],
+        places: &[LineEnd],
         short: &(dyn Fn(&Schedule) -> Vec<usize> + Sync),
     ) -> Result<Fastest> {
         let (path, bench) = (&course.path, self.program.bench);
@@ -260,7 +260,7 @@ impl Scene<'_> {
                 theta.reverse();
                 cones.reverse();
             }
-            let way = time::Way { theta, cones, speeds_mm_s: &asked };
+            let way = time::TimedWay { theta, cones, speeds_mm_s: &asked };
             time::motion(&centres, &way, on_machine, self.options.chord_mm, limit_jerk)
         };
         // Where one has nearly the least time that the speeds allow, no other is made.
@@ -285,7 +285,7 @@ impl Scene<'_> {
         let closely = |(_, schedule): (f64, Schedule)| Ok((moved(&schedule, true)?, schedule));
         let before = || {
             let (theta, cones) = places.iter().map(|p| (p.stand.theta, p.stand.cone)).unzip();
-            let way = time::Way { theta, cones, speeds_mm_s: &own };
+            let way = time::TimedWay { theta, cones, speeds_mm_s: &own };
             time::motion(&centres, &way, on_machine, self.options.chord_mm, true)
         };
         let all = || parallel::try_map(made, closely);
@@ -302,7 +302,7 @@ impl Scene<'_> {
     /// places, or where that makes none at all of them.
     fn schedules(
         &self,
-        course: &Course,
+        course: &StretchCourse,
         channel: &Channel,
         ends: [f64; 2],
         most_mm_min: f64,
@@ -375,16 +375,16 @@ fn is_taken(e: &Error) -> bool {
 /// θ grows counter-clockwise about the blade axis: a pass along which the normal of the part turns
 /// the other way is planned from its end. Where the normal hardly turns, the program's own θ
 /// decides.
-fn runs_backwards(places: &[&Place]) -> bool {
+fn runs_backwards(places: &[&LineEnd]) -> bool {
     let turned: f64 = places.windows(2).map(|w| normal_turned(w[0], w[1])).sum();
     let (Some(first), Some(last)) = (places.first(), places.last()) else { return false };
     if turned.abs() > ALONG_RAD { turned < 0.0 } else { last.stand.theta < first.stand.theta }
 }
 
 /// By how much the normal of the part turns about the blade axis from one place to the next, rad.
-fn normal_turned(from: &Place, to: &Place) -> f64 {
+fn normal_turned(from: &LineEnd, to: &LineEnd) -> f64 {
     let azimuth =
-        |p: &Place| p.at.as_ref().map_or(0.0, |c| (p.stand.centre.z - c.point.z).atan2(p.stand.centre.y - c.point.y));
+        |p: &LineEnd| p.at.as_ref().map_or(0.0, |c| (p.stand.centre.z - c.point.z).atan2(p.stand.centre.y - c.point.y));
     within_half_turn(azimuth(to) - azimuth(from))
 }
 

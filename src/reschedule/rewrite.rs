@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::manner::{self, Manner};
 use super::planned::Planned;
-use super::stretches::{Found, Place};
+use super::stretches::{Found, LineEnd};
 use super::{Program, RescheduleOptions};
 use crate::artifact::program::{Grammar, Programmed};
 use crate::artifact::{Axes, Stand};
@@ -237,11 +237,11 @@ impl<'a> Rewriter<'a> {
         POINT.iter().map(half).map(|h| h * h).sum::<f64>().sqrt() + READ_MM
     }
 
-    fn block(&self, place: &Place) -> Result<&'a Block, String> {
+    fn block(&self, place: &LineEnd) -> Result<&'a Block, String> {
         self.program.blocks().get(place.block).ok_or_else(|| "a line has no move".into())
     }
 
-    fn moved(&self, place: &Place) -> Result<&'a Moved, String> {
+    fn moved(&self, place: &LineEnd) -> Result<&'a Moved, String> {
         self.program.moves.get(place.moved).ok_or_else(|| "a line has no move".into())
     }
 
@@ -249,7 +249,7 @@ impl<'a> Rewriter<'a> {
     fn line(
         &self,
         block: &Block,
-        [before, place]: [&Place; 2],
+        [before, place]: [&LineEnd; 2],
         (planned, k): (&Planned, usize),
         modal: &mut Modal,
     ) -> Result<Edit, String> {
@@ -319,7 +319,7 @@ impl<'a> Rewriter<'a> {
     /// has it, as often as keeps the ball on its straight way.
     fn stands(
         &self,
-        [before, place]: [&Place; 2],
+        [before, place]: [&LineEnd; 2],
         own: &Moved,
         (planned, k): (&Planned, usize),
         modal: &Modal,
@@ -330,7 +330,7 @@ impl<'a> Rewriter<'a> {
         let all = &planned.course.path.locations;
         let [Some(from), Some(to)] = [all.get(a), all.get(b)] else { return Err("it has no place".into()) };
         let theta = |row: usize| planned.schedule.theta.get(row).copied().unwrap_or(f64::NAN);
-        let stand = |row: usize, there: &Place| {
+        let stand = |row: usize, there: &LineEnd| {
             let (centre, cone) = (there.stand.centre, planned.course.path.cone(row));
             Stand { centre, cone, theta: theta(row) }
         };
@@ -587,7 +587,7 @@ impl<'a> Rewriter<'a> {
     }
 
     /// The feed of the line behind a stretch, where that does not say its own.
-    fn restore_feed(&self, last: &Place, modal: &Modal, edits: &mut Edits) -> Result<(), String> {
+    fn restore_feed(&self, last: &LineEnd, modal: &Modal, edits: &mut Edits) -> Result<(), String> {
         let blocks = self.program.blocks();
         let own = self.block(last)?.feed;
         let next = blocks.iter().skip(last.block + 1).find(|b| b.feed != Feed::Rapid);

@@ -5,7 +5,7 @@ use crate::artifact::{Cone, Cones, Stand};
 use crate::geometry::measured::Closest;
 use crate::geometry::part::Part;
 use crate::parallel;
-use crate::read::program::{Block, Course, Moved};
+use crate::read::program::{Block, Interpolation, Moved};
 
 /// Nearer to the part than this the stock is looked for, mm.
 const STOCK_MM: f64 = 5.0;
@@ -21,7 +21,7 @@ pub(super) const FEWEST: usize = 8;
 
 /// Where a line of the program ends.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct LineEnd {
     /// Index of its block.
     pub block: usize,
     /// Index of the block's last move.
@@ -40,14 +40,14 @@ pub(super) struct Place {
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     /// The first place is where the first line of the stretch begins.
-    pub places: Vec<Place>,
+    pub places: Vec<LineEnd>,
     pub cones: Cones,
 }
 
 /// All lines of the program whose end is known.
-pub(super) fn places(program: &Program, part: &Part) -> Vec<Place> {
+pub(super) fn places(program: &Program, part: &Part) -> Vec<LineEnd> {
     let (tool, machine) = (program.bench.tool, program.bench.machine);
-    let mut out: Vec<Place> = Vec::new();
+    let mut out: Vec<LineEnd> = Vec::new();
     let mut moves = program.moves.iter().enumerate().peekable();
     while let Some((first, m)) = moves.next() {
         let (mut last, mut seconds) = (first, m.seconds);
@@ -65,7 +65,7 @@ pub(super) fn places(program: &Program, part: &Part) -> Vec<Place> {
         let [theta, lean] = machine.theta_and_lean(&end.to, near);
         let stand = Stand::about_blade(end.pose(1.0, tool, machine).centre, theta, lean);
         let barred = barred(block, &program.moves[first..=last], known);
-        out.push(Place { block: m.block, moved: last, seconds, stand, at: None, barred });
+        out.push(LineEnd { block: m.block, moved: last, seconds, stand, at: None, barred });
     }
     let reach = tool.radius_mm + STOCK_MM;
     parallel::map(&mut out, |p| p.at = part.closest(&p.stand.centre, reach));
@@ -80,7 +80,7 @@ fn barred(block: &Block, moves: &[Moved], known: bool) -> Option<&'static str> {
     if moves.iter().any(|m| m.seconds.is_none()) {
         return Some("it is a rapid");
     }
-    if !matches!(block.course, Course::Straight) {
+    if !matches!(block.course, Interpolation::Straight) {
         return Some("it is an arc or a polynomial");
     }
     block.machine.then_some("it is in positions of the machine's axes beside the program's zero")
@@ -88,7 +88,7 @@ fn barred(block: &Block, moves: &[Moved], known: bool) -> Option<&'static str> {
 
 /// The stock that most lines leave, mm: the middle of the narrowest range of distances that holds
 /// half of all that are near the part; 0 where that is contact itself.
-pub(super) fn stock_mm(places: &[Place], radius_mm: f64, within_mm: f64) -> f64 {
+pub(super) fn stock_mm(places: &[LineEnd], radius_mm: f64, within_mm: f64) -> f64 {
     let cut = places.iter().filter(|p| p.barred.is_none());
     let mut left: Vec<f64> = cut.filter_map(|p| p.at.as_ref()).map(|c| c.distance_mm - radius_mm).collect();
     left.sort_by(f64::total_cmp);
@@ -100,10 +100,11 @@ pub(super) fn stock_mm(places: &[Place], radius_mm: f64, within_mm: f64) -> f64 
 /// The stretches, in the order of the program. A stretch ends where the ball leaves the part by
 /// more than `within_mm`, where a line cannot be one of it, where θ turns while the ball stands,
 /// and where a pass turns back.
-pub(super) fn find(places: &[Place], stock_mm: f64, radius_mm: f64, within_mm: f64) -> Vec<Found> {
-    let touches = |p: &Place| p.at.as_ref().is_some_and(|c| (c.distance_mm - radius_mm - stock_mm).abs() <= within_mm);
+pub(super) fn find(places: &[LineEnd], stock_mm: f64, radius_mm: f64, within_mm: f64) -> Vec<Found> {
+    let touches =
+        |p: &LineEnd| p.at.as_ref().is_some_and(|c| (c.distance_mm - radius_mm - stock_mm).abs() <= within_mm);
     let mut out = Vec::new();
-    let mut open: Vec<Place> = Vec::new();
+    let mut open: Vec<LineEnd> = Vec::new();
     for w in places.windows(2) {
         let (from, to) = (&w[0], &w[1]);
         let goes = (to.stand.centre - from.stand.centre).norm() > SAME_MM;
@@ -131,7 +132,7 @@ pub(super) fn find(places: &[Place], stock_mm: f64, radius_mm: f64, within_mm: f
 /// Cut where the ball turns back: where the chords of a length before and behind a place point
 /// against one another. Round an edge of the part a ball's centre has at least its own radius to
 /// turn on, so that with chords as long as that they do not.
-fn passes(places: Vec<Place>, chord_mm: f64) -> Vec<Vec<Place>> {
+fn passes(places: Vec<LineEnd>, chord_mm: f64) -> Vec<Vec<LineEnd>> {
     let centre = |k: usize| places[k].stand.centre;
     let mut s = vec![0.0f64; places.len()];
     (1..places.len()).for_each(|k| s[k] = s[k - 1] + (centre(k) - centre(k - 1)).norm());
@@ -168,7 +169,7 @@ fn passes(places: Vec<Place>, chord_mm: f64) -> Vec<Vec<Place>> {
 }
 
 /// The lean of the program, evened where only the rounding of its words makes it differ.
-fn cones(places: &[Place]) -> Cones {
+fn cones(places: &[LineEnd]) -> Cones {
     let leans: Vec<f64> = places.iter().map(|p| p.stand.cone.lean_rad).collect();
     let (least, most) = leans.iter().fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(*v), b.max(*v)));
     if most - least <= SAME_LEAN_RAD {
@@ -183,10 +184,10 @@ mod tests {
     use super::*;
     use crate::geometry::Point;
 
-    fn at(deg: f64) -> Place {
+    fn at(deg: f64) -> LineEnd {
         let (s, c) = deg.to_radians().sin_cos();
         let stand = Stand::about_blade(Point::new(0.0, 10.0 * c, 10.0 * s), 0.0, 0.0);
-        Place { block: 0, moved: 0, seconds: Some(0.1), stand, at: None, barred: None }
+        LineEnd { block: 0, moved: 0, seconds: Some(0.1), stand, at: None, barred: None }
     }
 
     fn lengths(degrees: impl IntoIterator<Item = f64>) -> Vec<usize> {

@@ -264,7 +264,7 @@ fn the_schedule_is_that_of_the_stages() {
     let bench = Bench { language, zero: Zero::default(), tool: &tool, machine: &machine };
     let read = Program::read(&text, &bench).unwrap();
     let places = stretches::places(&read, &blade.part);
-    let places: Vec<&Place> = places.iter().filter(|p| p.seconds.is_some()).take(361).collect();
+    let places: Vec<&LineEnd> = places.iter().filter(|p| p.seconds.is_some()).take(361).collect();
     let mut path = sample::plan(1, 8).toolpath;
     path.cones = Cones::about_blade(places[0].stand.cone.lean_rad);
     (path.locations, path.turns) = (Vec::new(), Vec::new());

@@ -37,7 +37,7 @@ pub(super) struct Centres {
 }
 
 /// Where the tool axis points along it, and the speeds of the ball between places, mm/s.
-pub(super) struct Way<'a> {
+pub(super) struct TimedWay<'a> {
     pub theta: Vec<f64>,
     pub cones: Vec<Cone>,
     pub speeds_mm_s: &'a [f64],
@@ -62,7 +62,7 @@ impl Centres {
 /// Those of [`feed::plan_at`].
 pub(super) fn motion(
     centres: &Centres,
-    way: &Way,
+    way: &TimedWay,
     (tool, machine): (&Tool, &Machine),
     chord_mm: f64,
     limit_jerk: bool,
@@ -71,7 +71,7 @@ pub(super) fn motion(
     let leans: Vec<f64> = way.cones.iter().map(|c| c.lean_rad).collect();
     let is_same = leans.windows(2).all(|w| w[0] == w[1]);
     let (theta, leans) = (even(way.theta.clone()), if is_same { leans } else { even(leans) });
-    let rows = Rows { centres, theta, leans };
+    let rows = Unrounded { centres, theta, leans };
     let kept = kept(&rows, way.speeds_mm_s);
     let speeds = speeds(&centres.s_mm, way.speeds_mm_s, &kept);
     let (path, schedule) = taken(&rows, &way.cones, &kept, (tool.radius_mm, chord_mm));
@@ -80,13 +80,13 @@ pub(super) fn motion(
 }
 
 /// A way without the rounding of its words.
-struct Rows<'a> {
+struct Unrounded<'a> {
     centres: &'a Centres,
     theta: Vec<f64>,
     leans: Vec<f64>,
 }
 
-impl Rows<'_> {
+impl Unrounded<'_> {
     /// Coordinates of the ball centre, mm, θ and lean, rad.
     fn at(&self, k: usize) -> [f64; 5] {
         let p = self.centres.points[k];
@@ -95,7 +95,7 @@ impl Rows<'_> {
 }
 
 /// The way at the places that are kept.
-fn taken(rows: &Rows, cones: &[Cone], kept: &[usize], (radius_mm, chord_mm): (f64, f64)) -> (Toolpath, Schedule) {
+fn taken(rows: &Unrounded, cones: &[Cone], kept: &[usize], (radius_mm, chord_mm): (f64, f64)) -> (Toolpath, Schedule) {
     let centres = rows.centres;
     let location = |k: &usize| {
         let (s_mm, centre) = (centres.s_mm[*k], centres.points[*k]);
@@ -123,7 +123,7 @@ fn taken(rows: &Rows, cones: &[Cone], kept: &[usize], (radius_mm, chord_mm): (f6
 /// Places between which the motion is planned, by index: lines that take less than [`LEAST_S`] are
 /// joined where a cubic spline leaves none of their places by more than a share of what these were
 /// evened by. Where it does, the place in the middle is kept, too.
-fn kept(rows: &Rows, speeds_mm_s: &[f64]) -> Vec<usize> {
+fn kept(rows: &Unrounded, speeds_mm_s: &[f64]) -> Vec<usize> {
     let s = &rows.centres.s_mm;
     let within = [EVEN_MM, EVEN_MM, EVEN_MM, EVEN_RAD, EVEN_RAD].map(|v| JOINED * v);
     let mut out = by_time(s, speeds_mm_s);
@@ -272,7 +272,7 @@ mod tests {
         let (centres, mut speeds_mm_s) = screw(4000, 0.1);
         let n = centres.points.len();
         let theta: Vec<f64> = centres.s_mm.iter().map(|s| s / 11.0).collect();
-        let rows = Rows { centres: &centres, theta, leans: vec![0.1; n] };
+        let rows = Unrounded { centres: &centres, theta, leans: vec![0.1; n] };
         let all = kept(&rows, &speeds_mm_s);
         assert!(all.len() < n / 3 && all.first() == Some(&0) && all.last() == Some(&(n - 1)), "{}", all.len());
         let at: Vec<f64> = all.iter().map(|k| centres.s_mm[*k]).collect();
@@ -293,7 +293,7 @@ mod tests {
         // Lines that take longer stay.
         let (centres, speeds_mm_s) = screw(200, 0.6);
         let theta = vec![0.0; 200];
-        let rows = Rows { centres: &centres, theta, leans: vec![0.1; 200] };
+        let rows = Unrounded { centres: &centres, theta, leans: vec![0.1; 200] };
         assert_eq!(kept(&rows, &speeds_mm_s).len(), 200);
     }
 
@@ -308,7 +308,7 @@ mod tests {
         let length = 0.05 * 3999.0;
         let centres = Centres::of(&points);
         let speeds = vec![v; 3999];
-        let way = Way { theta: vec![0.0; 4000], cones: vec![Cone::about_blade(0.1); 4000], speeds_mm_s: &speeds };
+        let way = TimedWay { theta: vec![0.0; 4000], cones: vec![Cone::about_blade(0.1); 4000], speeds_mm_s: &speeds };
         let motion = motion(&centres, &way, (&tool, &machine), 0.001, true).unwrap();
         let time = length / v + to_speed;
         assert!((motion.time_s / time - 1.0).abs() < 5e-3, "{} {time}", motion.time_s);

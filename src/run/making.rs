@@ -17,7 +17,7 @@ use crate::error::{Error, Result, Stage};
 use crate::job::Draft;
 use crate::observe::{Observer, Recorder, Warning, timed};
 use crate::plan::Setup;
-use crate::plan::planning::{self, Known, Reached};
+use crate::plan::planning::{self, KnownStages, Reached};
 use crate::section;
 use crate::verify::Verdict;
 use crate::write::post::Dialect;
@@ -121,7 +121,7 @@ pub fn in_memory(draft: &Draft, force: bool, observer: &dyn Observer) -> Result<
     let clock = Clock::new(observer);
     let recorder = Recorder::new(&clock);
     let setup = timed(&recorder, Stage::Model, || Loaded::read(draft, &recorder))?.setup;
-    let Reached::Motion(planned) = planning::stages(&setup, None, Known::default(), &recorder)? else {
+    let Reached::Motion(planned) = planning::stages(&setup, None, KnownStages::default(), &recorder)? else {
         return Err(Error::usage(Stage::Feed, "planning ended before the motion"));
     };
     let (plan, baseline) = *planned;

@@ -27,7 +27,7 @@ use crate::job::{Job, ModelSettings};
 use crate::machine::MachineSettings;
 use crate::observe::{Observer, Warning};
 use crate::path::PathSettings;
-use crate::plan::planning::Known;
+use crate::plan::planning::KnownStages;
 use crate::verify::VerifySettings;
 use crate::verify::seal::Subject;
 
@@ -229,7 +229,7 @@ pub(super) struct Checks {
 /// What was taken over.
 #[derive(Default)]
 pub(super) struct Taken {
-    pub results: Known,
+    pub results: KnownStages,
     /// To be recalled, if their seal fits.
     pub checks: Option<Checks>,
     pub stages: Vec<Stage>,
@@ -262,7 +262,7 @@ pub(super) fn take(loaded: &Loaded, earlier: &[Earlier], observer: &dyn Observer
     for w in run.before.warnings.iter().filter(again) {
         observer.warn(w.clone());
     }
-    let results = Known {
+    let results = KnownStages {
         toolpath: Some(plan.toolpath),
         channel: (rank >= 1).then_some(plan.channel),
         schedule: (rank >= 2).then_some(plan.schedule),

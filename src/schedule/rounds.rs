@@ -7,7 +7,7 @@
 
 use super::Pace;
 use super::corridor::Corridor;
-use crate::numerics::stages::{self, Options, Row, Solution, Stage};
+use crate::numerics::stages::{self, Inequality, Options, Solution, Stage};
 
 /// State (θ, θ', θ'', γ) and controls (rise of θ'' over the interval, rise of γ after it).
 const X: usize = 4;
@@ -249,15 +249,15 @@ impl<'a> Interval<'a> {
     }
 
     /// The control points are between the walls, and θ only grows where it is to.
-    fn keep_within_walls(&self, rows: &mut Vec<Row<V>>) {
+    fn keep_within_walls(&self, rows: &mut Vec<Inequality<V>>) {
         let Interval { walls, scale, i, h, .. } = *self;
         let u = scale.second;
         let level = |k: usize| [walls.lo[k] - scale.line(walls, k), walls.hi[k] - scale.line(walls, k)];
         let (here, next) = (level(i), level(if self.last { i } else { i + 1 }));
         let mut between = |g: [f64; V], share: f64| {
             let wall = [0, 1].map(|w| here[w] + share * (next[w] - here[w]));
-            rows.push(Row { g, most: wall[1] });
-            rows.push(Row { g: g.map(|v| -v), most: -wall[0] });
+            rows.push(Inequality { g, most: wall[1] });
+            rows.push(Inequality { g: g.map(|v| -v), most: -wall[0] });
         };
         between([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], 0.0);
         let most = scale.base[1] * scale.length;
@@ -266,16 +266,16 @@ impl<'a> Interval<'a> {
             between([1.0, 2.0 * h / 3.0, u * h * h / 6.0, 0.0, 0.0, 0.0], 2.0 / 3.0);
         }
         if walls.one_way && !self.last {
-            rows.push(Row { g: [0.0, -1.0, -0.5 * u * h, 0.0, 0.0, 0.0], most });
+            rows.push(Inequality { g: [0.0, -1.0, -0.5 * u * h, 0.0, 0.0, 0.0], most });
         }
         if walls.one_way {
-            rows.push(Row { g: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], most });
+            rows.push(Inequality { g: [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], most });
         }
     }
 
     /// The control points of θ' are within the limits of the interval, and where it begins within
     /// those of the one before.
-    fn keep_slopes(&self, slopes: &[[f64; 2]], rows: &mut Vec<Row<V>>) {
+    fn keep_slopes(&self, slopes: &[[f64; 2]], rows: &mut Vec<Inequality<V>>) {
         let Interval { scale, i, h, .. } = *self;
         let free = [f64::NEG_INFINITY, f64::INFINITY];
         let own = slopes.get(i).copied().unwrap_or(free);
@@ -284,10 +284,10 @@ impl<'a> Interval<'a> {
         let mut within = |g: [f64; V], [least, most]: [f64; 2]| {
             let rise = |slope: f64| (slope - scale.base[1]) * scale.length;
             if most.is_finite() {
-                rows.push(Row { g, most: rise(most) });
+                rows.push(Inequality { g, most: rise(most) });
             }
             if least.is_finite() {
-                rows.push(Row { g: g.map(|v| -v), most: -rise(least) });
+                rows.push(Inequality { g: g.map(|v| -v), most: -rise(least) });
             }
         };
         within([0.0, 1.0, 0.0, 0.0, 0.0, 0.0], both);
@@ -298,33 +298,33 @@ impl<'a> Interval<'a> {
 
     /// γ is at least 1 and as much as θ' and θ'' exceed what the pace allows; near the ends of the
     /// path θ all but stands.
-    fn keep_pace(&self, pace: &Pace, unit: f64, rows: &mut Vec<Row<V>>) {
+    fn keep_pace(&self, pace: &Pace, unit: f64, rows: &mut Vec<Inequality<V>>) {
         let Interval { walls, scale, i, .. } = *self;
         let [rate, second] = [1.0 / (scale.length * pace.rate), scale.second / (scale.length.powi(2) * pace.second)];
         let [rate, second, base] = [rate / unit, second / unit, scale.base[1] / (pace.rate * unit)];
         let to_end = (walls.s[i] - walls.s[0]).min(walls.s[walls.s.len() - 1] - walls.s[i]);
         // Where θ never turns back its slope has one sign.
         for sign in if walls.one_way { &[1.0][..] } else { &[1.0, -1.0] } {
-            rows.push(Row { g: [0.0, sign * rate, 0.0, -1.0, 0.0, 0.0], most: -sign * base });
+            rows.push(Inequality { g: [0.0, sign * rate, 0.0, -1.0, 0.0, 0.0], most: -sign * base });
             if to_end < pace.standing_mm {
                 let g = [0.0, sign * rate, 0.0, 0.0, 0.0, 0.0];
-                rows.push(Row { g, most: STANDING / unit - sign * base });
+                rows.push(Inequality { g, most: STANDING / unit - sign * base });
             }
         }
-        rows.push(Row { g: [0.0, 0.0, second, -1.0, 0.0, 0.0], most: 0.0 });
-        rows.push(Row { g: [0.0, 0.0, -second, -1.0, 0.0, 0.0], most: 0.0 });
-        rows.push(Row { g: [0.0, 0.0, 0.0, -1.0, 0.0, 0.0], most: -1.0 / unit });
+        rows.push(Inequality { g: [0.0, 0.0, second, -1.0, 0.0, 0.0], most: 0.0 });
+        rows.push(Inequality { g: [0.0, 0.0, -second, -1.0, 0.0, 0.0], most: 0.0 });
+        rows.push(Inequality { g: [0.0, 0.0, 0.0, -1.0, 0.0, 0.0], most: -1.0 / unit });
     }
 
     /// γ is at least the second, or the `third` derivative, of either sign.
-    fn keep_below_peak(&self, third: bool, rows: &mut Vec<Row<V>>) {
+    fn keep_below_peak(&self, third: bool, rows: &mut Vec<Inequality<V>>) {
         for sign in [1.0, -1.0] {
             let mut g = [0.0; V];
             (g[3], g[2]) = (-1.0, sign);
             if third {
                 (g[2], g[4]) = (0.0, if self.last { 0.0 } else { sign / (self.h * self.scale.third) });
             }
-            rows.push(Row { g, most: 0.0 });
+            rows.push(Inequality { g, most: 0.0 });
         }
     }
 
@@ -339,7 +339,7 @@ impl<'a> Interval<'a> {
         if let Goal::Turns { cap, .. } = goal
             && cap.is_finite()
         {
-            out.rows.push(Row { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
+            out.rows.push(Inequality { g: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0], most: *cap });
         }
         if borders.get(self.i).is_some_and(|b| *b) {
             out.dynamics[3][5] = 1.0;

@@ -62,9 +62,9 @@ mod turn;
 
 use std::ops::Range;
 
-use room::Room;
-use stretch::Stretch;
-use turn::Turning;
+use room::TubeRoom;
+use stretch::SmoothStretch;
+use turn::TurningFit;
 
 pub use evened::evened;
 pub use options::SmoothOptions;
@@ -208,21 +208,21 @@ pub fn plan_near(
 fn stretch<'a>(
     part: &'a Allowed<'a>,
     (path, channel, schedule): (&'a Toolpath, &'a Channel, &'a Schedule),
-    (room, shares): (&'a [Room], &'a [Share]),
+    (room, shares): (&'a [TubeRoom], &'a [Share]),
     range: Range<usize>,
     joined: [bool; 2],
     objective: &'a Objective<'a>,
     options: &'a SmoothOptions,
-) -> Stretch<'a> {
+) -> SmoothStretch<'a> {
     let locations = &path.locations[range.clone()];
-    let turning = Turning {
+    let turning = TurningFit {
         locations,
         walls: &channel.rows[range.clone()],
         theta: &schedule.theta[range.clone()],
         shares: &shares[range.clone()],
         joined,
     };
-    Stretch { part, radius_mm: path.radius_mm, locations, room: &room[range], turning, options, objective }
+    SmoothStretch { part, radius_mm: path.radius_mm, locations, room: &room[range], turning, options, objective }
 }
 
 /// Stretches between creases, and the moves over creases with the angle by which the normal turns.

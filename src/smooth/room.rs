@@ -11,7 +11,7 @@ const AHEAD: usize = 4;
 
 /// Room at a location, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Room {
+pub(super) struct TubeRoom {
     /// Into the part.
     pub inwards_mm: f64,
     /// Off the part.
@@ -22,8 +22,8 @@ pub(super) struct Room {
     pub along_mm: f64,
 }
 
-impl Room {
-    pub const UNLIMITED: Room = Room {
+impl TubeRoom {
+    pub const UNLIMITED: TubeRoom = TubeRoom {
         inwards_mm: f64::INFINITY,
         outwards_mm: f64::INFINITY,
         across_mm: f64::INFINITY,
@@ -31,8 +31,8 @@ impl Room {
     };
 
     /// The lesser of both.
-    pub fn and(self, other: &Room) -> Room {
-        Room {
+    pub fn and(self, other: &TubeRoom) -> TubeRoom {
+        TubeRoom {
             inwards_mm: self.inwards_mm.min(other.inwards_mm),
             outwards_mm: self.outwards_mm.min(other.outwards_mm),
             across_mm: self.across_mm.min(other.across_mm),
@@ -43,7 +43,7 @@ impl Room {
 
 /// The room at every location; a share `kept` of what the options allow into and off the part, for
 /// what the tube does not see.
-pub(super) fn of(path: &Toolpath, options: &SmoothOptions, kept: f64) -> Vec<Room> {
+pub(super) fn of(path: &Toolpath, options: &SmoothOptions, kept: f64) -> Vec<TubeRoom> {
     let flat_mm = scallop::width_mm(path.radius_mm, path.scallop_mm, 0.0).unwrap_or(0.1 * path.radius_mm);
     let mut stepover_mm = vec![flat_mm; path.locations.len()];
     for pair in path.turns.windows(2) {
@@ -62,7 +62,7 @@ pub(super) fn of(path: &Toolpath, options: &SmoothOptions, kept: f64) -> Vec<Roo
             }
         }
     }
-    let room = |d: f64| Room {
+    let room = |d: f64| TubeRoom {
         inwards_mm: kept * options.inwards_mm,
         outwards_mm: kept * options.outwards_mm,
         // Where turns run into one another there is no ridge to keep.

@@ -2,10 +2,10 @@
 
 use super::form;
 use super::prove::{self, Proof};
-use super::room::Room;
+use super::room::TubeRoom;
 use super::start;
 use super::tube::{self, Tube};
-use super::turn::Turning;
+use super::turn::TurningFit;
 use super::{Objective, SmoothOptions};
 use crate::artifact::curve::{CurveProof, CurveStretch};
 use crate::artifact::toolpath::CutterLocation;
@@ -29,13 +29,13 @@ const LOOKS: usize = 2;
 const MOST_BREAKS: usize = 3;
 
 /// A stretch of a path with all that belongs to it, one entry per location.
-pub(super) struct Stretch<'a> {
+pub(super) struct SmoothStretch<'a> {
     pub part: &'a Allowed<'a>,
     pub radius_mm: f64,
     pub locations: &'a [CutterLocation],
     /// The room inside the tube.
-    pub room: &'a [Room],
-    pub turning: Turning<'a>,
+    pub room: &'a [TubeRoom],
+    pub turning: TurningFit<'a>,
     pub options: &'a SmoothOptions,
     pub objective: &'a Objective<'a>,
 }
@@ -43,7 +43,7 @@ pub(super) struct Stretch<'a> {
 /// Places that have no curve: arc lengths from and to, mm.
 pub(super) type Broken = Vec<[f64; 2]>;
 
-impl Stretch<'_> {
+impl SmoothStretch<'_> {
     /// The curve, or where there is none. `None` where arc lengths do not rise or numbers are not
     /// finite.
     pub fn smooth(&self) -> Option<Result<CurveStretch, Broken>> {
@@ -93,7 +93,7 @@ impl Stretch<'_> {
 
     /// The room of the stretch as one.
     fn allowed(&self) -> [f64; 3] {
-        let r = self.room.iter().fold(Room::UNLIMITED, |a, b| a.and(b));
+        let r = self.room.iter().fold(TubeRoom::UNLIMITED, |a, b| a.and(b));
         [r.inwards_mm.min(r.outwards_mm), r.across_mm, r.along_mm]
     }
 
@@ -174,7 +174,7 @@ impl Stretch<'_> {
         let (spans, value) = if whole { tube.spans(&form) } else { tube.at_breaks(&form) };
         // Each of three directions, which are at right angles but for what the normal turns on a
         // span, has its room.
-        let whole = |r: &Room| 2.0 * (r.inwards_mm + r.outwards_mm + r.across_mm + r.along_mm);
+        let whole = |r: &TubeRoom| 2.0 * (r.inwards_mm + r.outwards_mm + r.across_mm + r.along_mm);
         let reach = 2.0 * CONDITION * self.room.iter().map(whole).fold(0.0, f64::max);
         let Solution { x: found, objective, bound, .. } = bounded::solve(&spans, value, enough, reach)?;
         let x = tube.x.iter().zip(&found).map(|(a, b)| std::array::from_fn(|d| a[d] + b[d])).collect();

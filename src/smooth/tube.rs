@@ -11,11 +11,11 @@
 //! about the curve, the span is cut at them, so that the polyline is straight on each interval.
 
 use super::form::Form;
-use super::room::Room;
+use super::room::TubeRoom;
 use crate::artifact::toolpath::CutterLocation;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
-use crate::numerics::bounded::{Row, Span, Strip};
+use crate::numerics::bounded::{Span, Strip, SumLimit};
 use crate::numerics::quintic::{Breaks, Map, ORDER, apply, weighed};
 use crate::parallel;
 
@@ -43,7 +43,7 @@ fn frame(normal: &Vector, way: &Vector) -> [Vector; 3] {
 
 /// What a place of the curve sees of the part.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct TubePlace {
     /// Distance of the centre from the part less the radius, mm.
     pub off_mm: f64,
     /// Unit vector from the part to the centre.
@@ -51,16 +51,21 @@ pub(super) struct Seen {
 }
 
 /// Looks at the part from all spans of a curve. `None` where it is nowhere near.
-pub(super) fn look(part: &Allowed, radius_mm: f64, breaks: &Breaks, x: &[[f64; 3]]) -> Option<Vec<[Seen; PLACES]>> {
+pub(super) fn look(
+    part: &Allowed,
+    radius_mm: f64,
+    breaks: &Breaks,
+    x: &[[f64; 3]],
+) -> Option<Vec<[TubePlace; PLACES]>> {
     let see = |i: usize| {
         let [a, b] = breaks.span(i);
-        let mut out = [Seen { off_mm: 0.0, normal: Vector::zeros() }; PLACES];
+        let mut out = [TubePlace { off_mm: 0.0, normal: Vector::zeros() }; PLACES];
         for (k, seen) in out.iter_mut().enumerate() {
             let s = a + (b - a) * k as f64 / (PLACES - 1) as f64;
             let c = Point::from(weighed(&x[i..], &breaks.weights(i, s)));
             let near = part.closest(&c, 2.0 * radius_mm)?;
             let normal = (c - near.point).try_normalize(1e-9)?;
-            *seen = Seen { off_mm: near.distance_mm - radius_mm, normal };
+            *seen = TubePlace { off_mm: near.distance_mm - radius_mm, normal };
         }
         Some(out)
     };
@@ -103,9 +108,9 @@ pub(super) struct Tube<'a> {
     pub breaks: &'a Breaks,
     /// Control points.
     pub x: &'a [[f64; 3]],
-    pub seen: &'a [[Seen; PLACES]],
+    pub seen: &'a [[TubePlace; PLACES]],
     /// The room by location.
-    pub room: &'a [Room],
+    pub room: &'a [TubeRoom],
 }
 
 impl Tube<'_> {
@@ -127,7 +132,7 @@ impl Tube<'_> {
     fn each(
         &self,
         form: &(dyn Fn(usize) -> Form<18> + Sync),
-        limits: impl Fn(usize) -> (Vec<Row<18>>, Vec<Strip<3>>) + Sync,
+        limits: impl Fn(usize) -> (Vec<SumLimit<18>>, Vec<Strip<3>>) + Sync,
     ) -> (Vec<Span<3, 18>>, f64) {
         let of = |i: usize| {
             let Form { hessian, gradient, value } = form(i);
@@ -151,12 +156,12 @@ impl Tube<'_> {
     }
 
     /// The least room of the locations about a span.
-    fn room(&self, i: usize) -> Room {
-        self.room[self.near(i)].iter().fold(Room::UNLIMITED, |a, b| a.and(b))
+    fn room(&self, i: usize) -> TubeRoom {
+        self.room[self.near(i)].iter().fold(TubeRoom::UNLIMITED, |a, b| a.and(b))
     }
 
     /// Limits along the normal, all over a span.
-    fn normal_rows(&self, i: usize) -> Vec<Row<18>> {
+    fn normal_rows(&self, i: usize) -> Vec<SumLimit<18>> {
         let (seen, room, map) = (&self.seen[i], self.room(i), self.map(i, self.breaks.span(i)));
         let [n0, n1, n2] = [0, 2, 4].map(|k| seen[k].normal);
         let normals = [n0, n1 * 2.0 - (n0 + n2) * 0.5, n2];
@@ -168,7 +173,7 @@ impl Tube<'_> {
                 let normal = normals[j - q] * share;
                 g.iter_mut().enumerate().for_each(|(a, g)| *g += normal[a % 3] * map[q][a / 3]);
             }
-            Row { g, lo: -room.inwards_mm - off[j], hi: room.outwards_mm - off[j] }
+            SumLimit { g, lo: -room.inwards_mm - off[j], hi: room.outwards_mm - off[j] }
         };
         (0..=WHOLE).map(row).collect()
     }
@@ -219,7 +224,7 @@ impl Tube<'_> {
     }
 
     /// Limits at a place of a span.
-    fn rows_at(&self, i: usize, k: usize) -> Vec<Row<18>> {
+    fn rows_at(&self, i: usize, k: usize) -> Vec<SumLimit<18>> {
         let ([a, b], room, seen) = (self.breaks.span(i), self.room(i), self.seen[i][k]);
         let s = a + (b - a) * k as f64 / (PLACES - 1) as f64;
         let w = self.breaks.weights(i, s);
@@ -227,7 +232,8 @@ impl Tube<'_> {
         let after = self.locations.partition_point(|l| l.s_mm <= s).clamp(1, self.locations.len() - 1);
         let there = between(&self.locations[after - 1..=after], s);
         let miss = across.dot(&(there - Vector::from(weighed(&self.x[i..], &w))));
-        let row = |direction: Vector, lo, hi| Row { g: std::array::from_fn(|a| w[a / 3] * direction[a % 3]), lo, hi };
+        let row =
+            |direction: Vector, lo, hi| SumLimit { g: std::array::from_fn(|a| w[a / 3] * direction[a % 3]), lo, hi };
         vec![
             row(seen.normal, -room.inwards_mm - seen.off_mm, room.outwards_mm - seen.off_mm),
             row(across, miss - room.across_mm, miss + room.across_mm),

@@ -6,7 +6,7 @@ use super::form::{self, Form};
 use super::{Share, SmoothOptions};
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::toolpath::CutterLocation;
-use crate::numerics::bounded::{self, Enough, Missed, Row, Solution, Span, Strip};
+use crate::numerics::bounded::{self, Enough, Missed, Solution, Span, Strip, SumLimit};
 use crate::numerics::quintic::{Breaks, CONDITION, ORDER, apply};
 use crate::parallel;
 
@@ -17,7 +17,7 @@ const EVEN: f64 = 0.05;
 const NOTHING: f64 = 1e-7;
 
 /// A stretch of the schedule, one entry per location.
-pub(super) struct Turning<'a> {
+pub(super) struct TurningFit<'a> {
     pub locations: &'a [CutterLocation],
     /// The channel.
     pub walls: &'a [ChannelRow],
@@ -29,7 +29,7 @@ pub(super) struct Turning<'a> {
     pub joined: [bool; 2],
 }
 
-impl Turning<'_> {
+impl TurningFit<'_> {
     /// The schedule's angle, straight between locations, rad.
     fn at(&self, s_mm: f64) -> f64 {
         let k = self.locations.partition_point(|l| l.s_mm <= s_mm).clamp(1, self.locations.len() - 1);
@@ -114,14 +114,14 @@ impl Turning<'_> {
 }
 
 /// Ordinates rise. In units of what θ rises by on average.
-fn rising(breaks: &Breaks, i: usize, x: &[[f64; 1]], rate: f64) -> Vec<Row<6>> {
+fn rising(breaks: &Breaks, i: usize, x: &[[f64; 1]], rate: f64) -> Vec<SumLimit<6>> {
     let [a, b] = breaks.span(i);
     let map = breaks.ordinates(i, [a, b]);
     let ordinates = apply(&map, &x[i..]);
     let unit = (ORDER - 1) as f64 / (rate * (b - a));
     let row = |j: usize| {
         let g = std::array::from_fn(|k| unit * (map[j + 1][k] - map[j][k]));
-        Row { g, lo: -unit * (ordinates[j + 1][0] - ordinates[j][0]), hi: f64::INFINITY }
+        SumLimit { g, lo: -unit * (ordinates[j + 1][0] - ordinates[j][0]), hi: f64::INFINITY }
     };
     (0..ORDER - 1).map(row).collect()
 }

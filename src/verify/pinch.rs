@@ -26,7 +26,7 @@ use super::sweep::Sweep;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Cone, Obstacle, PairedRows, Stand};
 use crate::geometry::allowance::Allowed;
-use crate::geometry::opposite::Place;
+use crate::geometry::opposite::SurfacePlace;
 use crate::geometry::{Point, Vector};
 use crate::parallel;
 use crate::tool::{Segment, Tool};
@@ -205,7 +205,7 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
         let feet = [0, 1].map(|tool| {
             let c = &work.rows.places[*k].contacts[tool].centre;
             let near = work.blade.part.closest(c, f64::INFINITY)?;
-            Some(Place { point: near.point, normal: (c - near.point).try_normalize(1e-9)? })
+            Some(SurfacePlace { point: near.point, normal: (c - near.point).try_normalize(1e-9)? })
         });
         let [one, two] = [feet[0]?, feet[1]?];
         Some([one.lines_apart_mm(&two), (one.normal + two.normal).norm().clamp(0.0, 2.0) / 2.0])
@@ -282,27 +282,29 @@ fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Ch
 }
 
 /// A ball, or the frustum of a cone, where it stands.
-pub(super) enum Solid {
+pub(super) enum ToolSolid {
     Ball { centre: Point, radius_mm: f64 },
     Frustum { ends: [Point; 2], radii_mm: [f64; 2], axis: Vector },
 }
 
 /// The pieces of a tool that stands somewhere, its ball first.
-pub(super) fn solids(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Vector) -> Vec<Solid> {
-    let frustum = |s: &Segment| Solid::Frustum {
+pub(super) fn solids(segments: &[Segment], radius_mm: f64, centre: &Point, axis: &Vector) -> Vec<ToolSolid> {
+    let frustum = |s: &Segment| ToolSolid::Frustum {
         ends: [s.z0, s.z1].map(|z| centre + axis * z),
         radii_mm: [s.r0, s.r1],
         axis: *axis,
     };
-    std::iter::once(Solid::Ball { centre: *centre, radius_mm }).chain(segments.iter().map(frustum)).collect()
+    std::iter::once(ToolSolid::Ball { centre: *centre, radius_mm }).chain(segments.iter().map(frustum)).collect()
 }
 
-impl Solid {
+impl ToolSolid {
     /// The point farthest along a direction.
     pub(super) fn farthest(&self, along: &Vector) -> Point {
         match self {
-            Solid::Ball { centre, radius_mm } => centre + along.try_normalize(1e-300).unwrap_or_default() * *radius_mm,
-            Solid::Frustum { ends, radii_mm, axis } => {
+            ToolSolid::Ball { centre, radius_mm } => {
+                centre + along.try_normalize(1e-300).unwrap_or_default() * *radius_mm
+            }
+            ToolSolid::Frustum { ends, radii_mm, axis } => {
                 let across = along - axis * along.dot(axis);
                 let out = across.try_normalize(1e-300).unwrap_or_default();
                 let [a, b] = [0, 1].map(|k| ends[k] + out * radii_mm[k]);
@@ -312,18 +314,18 @@ impl Solid {
     }
 
     /// How far this one is from another along a unit direction, mm.
-    fn gap_mm(&self, other: &Solid, along: &Vector) -> f64 {
+    fn gap_mm(&self, other: &ToolSolid, along: &Vector) -> f64 {
         self.farthest(&-along).coords.dot(along) - other.farthest(along).coords.dot(along)
     }
 
     /// The direction from the middle of another to that of this one.
-    pub(super) fn between(&self, other: &Solid) -> Option<Vector> {
+    pub(super) fn between(&self, other: &ToolSolid) -> Option<Vector> {
         (self.middle() - other.middle()).try_normalize(1e-9)
     }
 
     /// The direction from another to this one along which both are farthest apart; `None` where
     /// they meet.
-    pub(super) fn towards(&self, other: &Solid) -> Option<Vector> {
+    pub(super) fn towards(&self, other: &ToolSolid) -> Option<Vector> {
         let start = self.between(other)?;
         let mut simplex = VoronoiSimplex::new();
         let still = Pose::default();
@@ -338,13 +340,13 @@ impl Solid {
 
     fn middle(&self) -> Point {
         match self {
-            Solid::Ball { centre, .. } => *centre,
-            Solid::Frustum { ends, .. } => nalgebra::center(&ends[0], &ends[1]),
+            ToolSolid::Ball { centre, .. } => *centre,
+            ToolSolid::Frustum { ends, .. } => nalgebra::center(&ends[0], &ends[1]),
         }
     }
 }
 
-impl SupportMap for Solid {
+impl SupportMap for ToolSolid {
     fn local_support_point(&self, dir: ParryVector) -> ParryVector {
         let p = self.farthest(&Vector::new(dir.x, dir.y, dir.z));
         ParryVector::new(p.x, p.y, p.z)

@@ -13,7 +13,7 @@
 
 use std::ops::Range;
 
-use super::pinch::{PinchWork, Solid, solids};
+use super::pinch::{PinchWork, ToolSolid, solids};
 use super::pinch_program::CENTRE_MM;
 use crate::artifact::report::Check;
 use crate::artifact::{Axes, CheckId};
@@ -237,7 +237,7 @@ pub(super) fn lagging(work: &PinchWork, poses: &[Option<[Pose; 2]>], stretches: 
         let s = &stretches[*n];
         let from = s.start.saturating_sub(1);
         let known = poses.get(from..(s.end + 1).min(poses.len())).unwrap_or_default();
-        let of = |j: usize| -> Vec<Vec<Solid>> {
+        let of = |j: usize| -> Vec<Vec<ToolSolid>> {
             let stand = |p: &[Pose; 2]| solids(&segments[j], work.tools[j].radius_mm, &p[j].centre, &p[j].axis);
             known.iter().flatten().map(stand).collect()
         };
@@ -258,7 +258,7 @@ pub(super) fn lagging(work: &PinchWork, poses: &[Option<[Pose; 2]>], stretches: 
 
 /// The ways of both tools, each as the solids of its places in order.
 struct Ways {
-    tools: [Vec<Vec<Solid>>; 2],
+    tools: [Vec<Vec<ToolSolid>>; 2],
     /// The direction in which tool 1 stands.
     out: Vector,
     asked_mm: f64,
@@ -290,7 +290,7 @@ impl Ways {
     /// A lower bound between two ranges of places and all straight ways within them.
     fn gap_mm(&self, ranges: &[Range<usize>; 2]) -> f64 {
         let [a, b] = [0, 1].map(|j| &self.tools[j][ranges[j].clone()]);
-        let middle = |of: &'_ [Vec<Solid>]| of.len() / 2;
+        let middle = |of: &'_ [Vec<ToolSolid>]| of.len() / 2;
         let mut least_mm = f64::INFINITY;
         for i in 0..a[0].len() {
             for k in 0..b[0].len() {

@@ -42,12 +42,12 @@ pub(super) struct Moving<'a> {
     side: [f64; 2],
     /// Length of its side there, mm.
     slant_mm: f64,
-    motion: Motion,
+    motion: MidMotion,
 }
 
 /// How the tool moves, seen in the middle of the move.
 #[derive(Clone, Copy, Debug)]
-struct Motion {
+struct MidMotion {
     /// Ball centre, mm.
     centre: Point,
     /// Tool axis, unit, from tip to spindle.
@@ -73,7 +73,7 @@ impl<'a> Moving<'a> {
         let frame = from.cone.rotation_to(&to.cone) * half;
         // Turning about a × x brings the axis a towards x.
         let leaning = axis.cross(&about).try_normalize(1e-12).unwrap_or_else(Vector::zeros) * lean;
-        let motion = Motion {
+        let motion = MidMotion {
             centre: at.centre,
             axis,
             half_move: (to.centre - from.centre) * half,
@@ -84,7 +84,7 @@ impl<'a> Moving<'a> {
         Self::of(frustum, motion)
     }
 
-    fn of(frustum: &'a Segment, motion: Motion) -> Self {
+    fn of(frustum: &'a Segment, motion: MidMotion) -> Self {
         let (dz, dr) = (frustum.z1 - frustum.z0, frustum.r1 - frustum.r0);
         let slant_mm = (dz * dz + dr * dr).sqrt();
         Moving { frustum, side: [-dr / slant_mm, dz / slant_mm], slant_mm, motion }
@@ -352,7 +352,7 @@ mod tests {
         [-8.0..8.0f64, -8.0..8.0f64, -8.0..8.0f64].prop_map(Point::from)
     }
     fn still(frustum: &Segment, axis: Vector) -> Moving<'_> {
-        let motion = Motion {
+        let motion = MidMotion {
             centre: Point::new(1.0, 0.0, 0.0),
             axis,
             half_move: Vector::zeros(),

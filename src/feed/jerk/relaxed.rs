@@ -10,8 +10,8 @@
 use std::ops::Range;
 
 use super::cells::{SHARES_OF_X, dot, of_x};
-use super::rows::{Dual, Problem, Rows, Shares};
-use crate::numerics::stages::{self, Model, Options, Row, Stage};
+use super::rows::{Dual, JerkRows, Problem, Shares};
+use crate::numerics::stages::{self, Inequality, Model, Options, Stage};
 
 /// Rows that have not reached these shares of their limits in the profile are left out; jerks may
 /// be a little below 0.
@@ -73,7 +73,7 @@ pub(super) fn multipliers(problem: &Problem, range: Range<usize>, v: &[[f64; 3]]
 struct Relaxed<'a> {
     problem: &'a Problem<'a>,
     range: Range<usize>,
-    rows: Rows,
+    rows: JerkRows,
     /// Least Bernstein coefficients of x in each cell.
     floor: Vec<[f64; 3]>,
 }
@@ -94,7 +94,7 @@ fn wide(g: [f64; 3]) -> [f64; 6] {
 impl<'a> Relaxed<'a> {
     fn new(problem: &'a Problem<'a>, range: Range<usize>, v: &[[f64; 3]]) -> Self {
         let floor = range.clone().zip(v).map(|(i, v)| problem.x(i, v).map(|x| FLOOR * x)).collect();
-        Relaxed { problem, rows: Rows::of(problem, range.clone(), v, SHARES), floor, range }
+        Relaxed { problem, rows: JerkRows::of(problem, range.clone(), v, SHARES), floor, range }
     }
 
     fn length(&self, i: usize) -> f64 {
@@ -110,18 +110,18 @@ impl<'a> Relaxed<'a> {
         }
         let (linear, jerk) = (self.rows.linear(i), self.rows.jerk(i));
         out.rows.reserve_exact(linear.len() + jerk.len() + 6);
-        out.rows.extend(linear.iter().map(|g| Row { g: wide(*g), most: 1.0 }));
+        out.rows.extend(linear.iter().map(|g| Inequality { g: wide(*g), most: 1.0 }));
         for j in jerk {
             let mut g = wide(j.g);
             // Between coefficients a slowness is at most the mean of theirs.
             for (at, share) in SLOWNESS.into_iter().zip(SHARES_OF_X[j.b]).filter(|(_, share)| *share > 0.0) {
                 g[at] = -share;
             }
-            out.rows.push(Row { g, most: 0.0 });
+            out.rows.push(Inequality { g, most: 0.0 });
         }
-        out.rows.extend([Row { g: [0.0; 6], most: 0.0 }; 3]);
+        out.rows.extend([Inequality { g: [0.0; 6], most: 0.0 }; 3]);
         let floors = of_x(h).into_iter().zip(self.floor[i]);
-        out.rows.extend(floors.map(|(g, floor)| Row { g: wide(g.map(|v| -v / floor)), most: -1.0 }));
+        out.rows.extend(floors.map(|(g, floor)| Inequality { g: wide(g.map(|v| -v / floor)), most: -1.0 }));
         out
     }
 }
@@ -138,7 +138,7 @@ impl Model<3, 6> for Relaxed<'_> {
             let p = 1.0 / x.sqrt();
             let mut row = wide(g.map(|c| -0.5 * p / x * c));
             row[SLOWNESS[b]] = -1.0;
-            of.rows[first + b] = Row { g: row, most: -1.5 * p };
+            of.rows[first + b] = Inequality { g: row, most: -1.5 * p };
             let second = 0.75 * p / (x * x) * multipliers.get(first + b).copied().unwrap_or(weights[b]);
             for r in 0..3 {
                 for c in 0..3 {

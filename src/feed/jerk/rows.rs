@@ -75,7 +75,7 @@ impl Shares {
 }
 
 /// The rows of some cells.
-pub(super) struct Rows {
+pub(super) struct JerkRows {
     /// Of caps and accelerations: `g · v ≤ 1`.
     linear: Vec<[f64; 3]>,
     jerk: Vec<Jerk>,
@@ -83,11 +83,11 @@ pub(super) struct Rows {
     first: Vec<[usize; 2]>,
 }
 
-impl Rows {
+impl JerkRows {
     /// Of the cells in a range, all that have reached a share of their limit at `v`: one for caps
     /// and jerks, one for accelerations.
-    pub fn of(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], shares: Shares) -> Rows {
-        let mut out = Rows { linear: Vec::new(), jerk: Vec::new(), first: vec![[0; 2]] };
+    pub fn of(problem: &Problem, range: Range<usize>, v: &[[f64; 3]], shares: Shares) -> JerkRows {
+        let mut out = JerkRows { linear: Vec::new(), jerk: Vec::new(), first: vec![[0; 2]] };
         for (i, v) in range.zip(v) {
             let (c, x, limits) = (&problem.inner[i], problem.x(i, v), problem.limits);
             let caps = of_x(c.h).into_iter().zip(problem.caps(i)).map(|(g, cap)| g.map(|v| v / cap));

@@ -1,7 +1,7 @@
 #![allow(clippy::unwrap_used)]
 use proptest::prelude::*;
 
-use super::rows::{Rows, Shares};
+use super::rows::{JerkRows, Shares};
 use super::*;
 use crate::numerics::spline::{CubicSpline, SplineEnds};
 use crate::observe::Silent;
@@ -47,7 +47,7 @@ proptest! {
         let time = problem.time(0, v);
         prop_assert!(found.least <= 1.0 && found.least > 0.5, "{}", found.least);
         // Any multipliers at all.
-        let rows = Rows::of(&problem, 0..n, v, Shares::ALL);
+        let rows = JerkRows::of(&problem, 0..n, v, Shares::ALL);
         let wild = |k: usize| (k as f64 * step).sin();
         let count = |i: usize| rows.linear(i).len() + rows.jerk(i).len();
         let dual = |i: usize| {

@@ -4,8 +4,8 @@
 use std::ops::Range;
 
 use super::cells::{SHARES_OF_X, dot, jensen, mixed, of_x};
-use super::rows::{Dual, Jerk, Problem, Rows, Shares};
-use crate::numerics::stages::{self, Model, Options, Row, Stage};
+use super::rows::{Dual, Jerk, JerkRows, Problem, Shares};
+use crate::numerics::stages::{self, Inequality, Model, Options, Stage};
 
 /// Least Bernstein coefficient of ṡ² in a search, as a share of the one it begins with.
 const FLOOR: f64 = 1e-3;
@@ -87,7 +87,7 @@ type Tie = [f64; 3];
 struct Window<'a> {
     problem: &'a Problem<'a>,
     range: Range<usize>,
-    rows: Rows,
+    rows: JerkRows,
     /// Cells in which w follows from the state, since speed and acceleration are given at the end
     /// of the stretch.
     ties: Vec<Option<Tie>>,
@@ -97,7 +97,7 @@ struct Window<'a> {
 
 impl<'a> Window<'a> {
     fn new(problem: &'a Problem<'a>, range: Range<usize>, v: &[[f64; 3]], shares: Shares) -> Self {
-        let rows = Rows::of(problem, range.clone(), v, shares);
+        let rows = JerkRows::of(problem, range.clone(), v, shares);
         let floor = range.clone().zip(v).map(|(i, v)| problem.x(i, v).map(|x| FLOOR * x));
         Window { problem, rows, ties: ties(problem, &range, v), floor: floor.collect(), range }
     }
@@ -107,10 +107,10 @@ impl<'a> Window<'a> {
     }
 
     /// A row in the state alone where w follows from it.
-    fn tied(&self, i: usize, g: [f64; 3], most: f64) -> Row<3> {
+    fn tied(&self, i: usize, g: [f64; 3], most: f64) -> Inequality<3> {
         match self.ties[i] {
-            Some(t) => Row { g: [g[0] + g[2] * t[0], g[1] + g[2] * t[1], 0.0], most: most - g[2] * t[2] },
-            None => Row { g, most },
+            Some(t) => Inequality { g: [g[0] + g[2] * t[0], g[1] + g[2] * t[1], 0.0], most: most - g[2] * t[2] },
+            None => Inequality { g, most },
         }
     }
 

@@ -1,6 +1,6 @@
 //! Faces and edges cut into pieces small enough for good bounds.
 
-use super::leaf::{Arc, FaceForm, Leaf, NO_BORDER, Rect, bends, extents, hull};
+use super::leaf::{FaceForm, Leaf, LeafArc, NO_BORDER, Rect, bends, extents, hull};
 use super::patch::{CurveTable, SurfaceTable};
 use super::tree::Hull;
 use super::trim::{Border, TrimKind, TrimTest};
@@ -142,7 +142,7 @@ impl Pieces {
 }
 
 /// The pieces of one edge between its ends.
-pub(super) fn arcs(table: &CurveTable, edge: u32, t: [f64; 2], diagonal_mm: f64) -> Vec<Arc> {
+pub(super) fn arcs(table: &CurveTable, edge: u32, t: [f64; 2], diagonal_mm: f64) -> Vec<LeafArc> {
     let mut out = Vec::new();
     for span in 0..table.spans.len() {
         let [middle, half] = table.spans.frame(span);
@@ -154,7 +154,7 @@ pub(super) fn arcs(table: &CurveTable, edge: u32, t: [f64; 2], diagonal_mm: f64)
         }
         let mut open = vec![(range, 0)];
         while let Some((range, depth)) = open.pop() {
-            let arc = Arc::new(table, edge, span as u32, range);
+            let arc = LeafArc::new(table, edge, span as u32, range);
             let length = arc.length();
             let straight = arc.radius <= THICKNESS * diagonal_mm && arc.bend.norm() * length <= 2.0 * TURN;
             if straight || depth >= DEEPEST || length < SMALLEST * diagonal_mm {
@@ -170,7 +170,7 @@ pub(super) fn arcs(table: &CurveTable, edge: u32, t: [f64; 2], diagonal_mm: f64)
 }
 
 /// What an arc lies in.
-pub(super) fn arc_hull(arc: &Arc) -> Hull {
+pub(super) fn arc_hull(arc: &LeafArc) -> Hull {
     let half = 0.5 * (arc.ends[1] - arc.ends[0]);
     let sides = [half, Vector::zeros(), Vector::zeros()];
     Hull { middle: nalgebra::center(&arc.ends[0], &arc.ends[1]), sides, round: arc.radius, normals: None }

@@ -367,7 +367,7 @@ fn any_across(n: &Vector) -> Vector {
 
 /// A piece of an edge with its bounds: all of it within `radius` of the segment `ends`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Arc {
+pub(super) struct LeafArc {
     /// Of an edge, or, from their number on, of a trace.
     pub edge: u32,
     pub span: u32,
@@ -380,7 +380,7 @@ pub(super) struct Arc {
     pub bend_spread: f64,
 }
 
-impl Arc {
+impl LeafArc {
     pub fn new(table: &CurveTable, edge: u32, span: u32, range: [f64; 2]) -> Self {
         let mut c = table.piece(span as usize).to_vec();
         let count = c.len();
@@ -398,7 +398,7 @@ impl Arc {
             [Some(a), Some(b), Some(c)] => (b, 1.5 * (a - b).norm().max((c - b).norm())),
             _ => (Vector::zeros(), f64::INFINITY),
         };
-        Arc { edge, span, range, ends, radius: radius + 10.0 * ROUNDING * size, bend, bend_spread }
+        LeafArc { edge, span, range, ends, radius: radius + 10.0 * ROUNDING * size, bend, bend_spread }
     }
 
     /// Squared distance from `q`, mm²: never more than to the piece.

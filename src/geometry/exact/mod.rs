@@ -48,7 +48,7 @@ use super::nurbs::{NurbsSurface, SurfaceDerivatives};
 use super::tessellate::Tessellation;
 use super::{Aabb, Point, Vector};
 use crate::parallel;
-use leaf::{Arc, FaceForm, Leaf};
+use leaf::{FaceForm, Leaf, LeafArc};
 use measure::Loops;
 use patch::{CurveTable, SurfaceTable};
 use search::{FoundPoint, On};
@@ -67,7 +67,7 @@ pub struct Exact {
     traces: Vec<Trace>,
     leaves: Vec<Leaf>,
     borders: Vec<Vec<Border>>,
-    arcs: Vec<Arc>,
+    arcs: Vec<LeafArc>,
     tree: Tree,
     corners: Corners,
 }

@@ -4,7 +4,7 @@
 //! guess, kept on the piece. A step that would lengthen the distance is shortened; where the
 //! Hessian is not positive definite a Gauss–Newton step is taken.
 
-use super::leaf::{Arc, FaceForm, Leaf};
+use super::leaf::{FaceForm, Leaf, LeafArc};
 use super::patch::CurveTable;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
@@ -127,7 +127,7 @@ pub(super) struct ArcFoot {
     pub settled: bool,
 }
 
-pub(super) fn foot_on_arc(table: &CurveTable, arc: &Arc, q: &Point) -> ArcFoot {
+pub(super) fn foot_on_arc(table: &CurveTable, arc: &LeafArc, q: &Point) -> ArcFoot {
     let [from, to] = arc.range;
     let d = arc.ends[1] - arc.ends[0];
     let share = if d.norm_squared() > 0.0 { (q - arc.ends[0]).dot(&d) / d.norm_squared() } else { 0.5 };

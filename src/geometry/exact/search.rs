@@ -20,7 +20,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::Exact;
-use super::leaf::{Arc, FaceForm, Leaf, NO_BORDER, Rect, extents, hull};
+use super::leaf::{FaceForm, Leaf, LeafArc, NO_BORDER, Rect, extents, hull};
 use super::newton::{Foot, foot_on_arc, foot_on_piece};
 use super::patch::CurveTable;
 use super::tree::{Child, Seen};
@@ -90,7 +90,7 @@ struct ClosestSearch<'a> {
     leaves: Vec<(Leaf, u32)>,
     /// Borders of `leaves`, numbered on from those of all faces.
     borders: Vec<Vec<Border>>,
-    arcs: Vec<(Arc, u32)>,
+    arcs: Vec<(LeafArc, u32)>,
     cuts: u32,
 }
 
@@ -341,7 +341,7 @@ impl ClosestSearch<'_> {
     }
 
     /// Looks for the closest point of a piece of an edge.
-    fn edge_piece(&mut self, arc: &Arc, depth: u32, heap: &mut BinaryHeap<Entry>) {
+    fn edge_piece(&mut self, arc: &LeafArc, depth: u32, heap: &mut BinaryHeap<Entry>) {
         let table = &self.exact.curves[arc.edge as usize];
         let foot = foot_on_arc(table, arc, &self.q);
         if foot.d2 < self.limit2 {
@@ -366,7 +366,7 @@ impl ClosestSearch<'_> {
         self.cuts += 1;
         let middle = 0.5 * (arc.range[0] + arc.range[1]);
         for range in [[arc.range[0], middle], [middle, arc.range[1]]] {
-            let child = Arc::new(table, arc.edge, arc.span, range);
+            let child = LeafArc::new(table, arc.edge, arc.span, range);
             let d2 = child.distance2(&self.q);
             if d2 < self.worth(d2) {
                 heap.push(Reverse((key(d2, PART_OF_ARC), self.arcs.len() as u32)));
@@ -434,7 +434,7 @@ impl Leaf {
     }
 }
 
-impl Arc {
+impl LeafArc {
     /// How far below zero the second derivative of half the squared distance by arc length may be;
     /// not positive where convex.
     fn beyond(&self, q: &Point) -> f64 {

@@ -71,16 +71,16 @@ pub fn has_inside(part: &Part, stage: Stage) -> Result<()> {
 
 /// A place on the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct SurfacePlace {
     /// Where, mm.
     pub point: Point,
     /// Outward unit normal.
     pub normal: Vector,
 }
 
-impl Place {
+impl SurfacePlace {
     /// Distance of the normal line here from that at another place, mm.
-    pub fn lines_apart_mm(&self, other: &Place) -> f64 {
+    pub fn lines_apart_mm(&self, other: &SurfacePlace) -> f64 {
         let across = self.normal.cross(&other.normal);
         let between = other.point - self.point;
         // Parallel lines have no common perpendicular.
@@ -95,9 +95,9 @@ impl Place {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
     /// The place that a partner was sought for.
-    pub first: Place,
+    pub first: SurfacePlace,
     /// Its partner.
-    pub second: Place,
+    pub second: SurfacePlace,
     /// Face or group of the second place.
     pub face: u32,
     /// Triangle of the second place, where the part is a mesh.
@@ -124,7 +124,7 @@ impl Pair {
 
 /// The partner of a place; `within_mm`: no ball inside the part is larger. `None`: the ball touches
 /// nowhere else, or is outside the part.
-pub fn partner(part: &Part, first: Place, within_mm: f64) -> Option<Pair> {
+pub fn partner(part: &Part, first: SurfacePlace, within_mm: f64) -> Option<Pair> {
     partner_across_creases(part, first, within_mm, 0.0)
 }
 
@@ -132,7 +132,7 @@ pub fn partner(part: &Part, first: Place, within_mm: f64) -> Option<Pair> {
 /// radius: beside a crease between two faces of one wall, where the ball that is tangent to one of
 /// them is cut by the other, it is the partner across the wall still. Both normals pass through the
 /// ball's centre as those of any pair.
-pub fn partner_across_creases(part: &Part, first: Place, within_mm: f64, held_share: f64) -> Option<Pair> {
+pub fn partner_across_creases(part: &Part, first: SurfacePlace, within_mm: f64, held_share: f64) -> Option<Pair> {
     let centre = |radius: f64| first.point - first.normal * radius;
     let mut radius_mm = within_mm;
     let mut last = None;
@@ -174,7 +174,7 @@ pub fn partner_across_creases(part: &Part, first: Place, within_mm: f64, held_sh
     let centre = centre(radius_mm);
     let held = part.closest(&centre, radius_mm * (1.0 - held_share) - HELD_MM).is_some();
     let inside = part.inside(&centre);
-    let place = Place { point: second.point, normal: second.normal };
+    let place = SurfacePlace { point: second.point, normal: second.normal };
     (inside && !held).then_some(Pair {
         first,
         second: place,

@@ -34,7 +34,7 @@ fn changed(mut surface: NurbsSurface, scale: [f64; 3], shift: [f64; 3]) -> Nurbs
 }
 
 fn found(part: &Part, point: Point, normal: Vector) -> Pair {
-    let pair = partner(part, Place { point, normal }, 500.0).unwrap();
+    let pair = partner(part, SurfacePlace { point, normal }, 500.0).unwrap();
     assert!((pair.radius_mm - (pair.second.point - pair.centre).norm()).abs() < 1e-9, "{pair:?}");
     assert!(pair.apart_mm() < 1e-7, "{} {pair:?}", pair.apart_mm());
     // The partner's partner is the first place.
@@ -122,7 +122,7 @@ proptest! {
 fn an_edge_has_no_partner() {
     let (a, b) = (10.0, 2.5);
     let part = part_of(vec![(changed(cylinder(1.0, 200.0), [a, b, 1.0], [0.0; 3]), false)]);
-    assert_eq!(partner(&part, Place { point: Point::new(a, 0.0, 100.0), normal: Vector::x() }, 500.0), None);
+    assert_eq!(partner(&part, SurfacePlace { point: Point::new(a, 0.0, 100.0), normal: Vector::x() }, 500.0), None);
     // Looked at from the wrong side there is no inside.
-    assert_eq!(partner(&part, Place { point: Point::new(0.0, b, 100.0), normal: -Vector::y() }, 500.0), None);
+    assert_eq!(partner(&part, SurfacePlace { point: Point::new(0.0, b, 100.0), normal: -Vector::y() }, 500.0), None);
 }

@@ -21,8 +21,8 @@ fn integrator(n: usize) -> Vec<Stage<2, 3>> {
 }
 
 fn pin(stage: &mut Stage<2, 3>, place: f64) {
-    stage.rows.push(Row { g: [1.0, 0.0, 0.0], most: place });
-    stage.rows.push(Row { g: [-1.0, 0.0, 0.0], most: -place });
+    stage.rows.push(Inequality { g: [1.0, 0.0, 0.0], most: place });
+    stage.rows.push(Inequality { g: [-1.0, 0.0, 0.0], most: -place });
 }
 
 #[test]
@@ -31,8 +31,8 @@ fn least_squared_acceleration_between_two_rests_is_a_cubic() {
     let n = 200;
     let mut stages = integrator(n);
     pin(&mut stages[n], 1.0);
-    stages[n].rows.push(Row { g: [0.0, 1.0, 0.0], most: 0.0 });
-    stages[n].rows.push(Row { g: [0.0, -1.0, 0.0], most: 0.0 });
+    stages[n].rows.push(Inequality { g: [0.0, 1.0, 0.0], most: 0.0 });
+    stages[n].rows.push(Inequality { g: [0.0, -1.0, 0.0], most: 0.0 });
     let mut o = Options::default();
     (o.fixed[0], o.fixed[1]) = (true, true);
     let found = solve(&mut stages, &vec![[0.0; 3]; n + 1], &(), &o).unwrap();
@@ -49,9 +49,9 @@ fn least_time_is_bang_bang() {
     let mut stages = integrator(n);
     for s in &mut stages {
         s.hessian = [[0.0; 3]; 3];
-        s.rows.push(Row { g: [0.0, 0.0, 1.0], most: 2.0 });
-        s.rows.push(Row { g: [0.0, 0.0, -1.0], most: 2.0 });
-        s.rows.push(Row { g: [0.0, 1.0, 0.0], most: 0.5 });
+        s.rows.push(Inequality { g: [0.0, 0.0, 1.0], most: 2.0 });
+        s.rows.push(Inequality { g: [0.0, 0.0, -1.0], most: 2.0 });
+        s.rows.push(Inequality { g: [0.0, 1.0, 0.0], most: 0.5 });
     }
     stages[n].gradient[0] = -1.0;
     let mut o = Options::default();
@@ -67,10 +67,10 @@ fn least_time_is_bang_bang() {
 fn what_cannot_be_is_told() {
     let mut stages = integrator(4);
     pin(&mut stages[2], 1.0);
-    stages[2].rows.push(Row { g: [1.0, 0.0, 0.0], most: 0.0 });
+    stages[2].rows.push(Inequality { g: [1.0, 0.0, 0.0], most: 0.0 });
     let found = solve(&mut stages, &[[0.0; 3]; 5], &(), &Options::default());
     assert!(found.is_none_or(|f| !f.converged && f.excess > 0.1));
     assert!(solve(&mut stages, &[[0.0; 3]; 3], &(), &Options::default()).is_none());
-    stages[0].rows.push(Row { g: [f64::NAN, 0.0, 0.0], most: 0.0 });
+    stages[0].rows.push(Inequality { g: [f64::NAN, 0.0, 0.0], most: 0.0 });
     assert!(solve(&mut stages, &[[0.0; 3]; 5], &(), &Options::default()).is_none());
 }

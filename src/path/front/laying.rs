@@ -83,7 +83,7 @@ impl Rest {
 }
 
 /// How a turn runs: what the neighbours of its nodes are sought by.
-pub struct Course {
+pub struct TurnCourse {
     /// Unit directions at its nodes.
     pub along: Vec<Vector>,
     /// Its touches, after the last ones of the turn before.
@@ -193,13 +193,13 @@ impl Front<'_> {
     }
 
     /// How a turn runs; `tail` is the end of the one before.
-    fn course(&self, before: Option<&Vec<Node>>, tail: &[Node], turn: &[Node]) -> Course {
+    fn course(&self, before: Option<&Vec<Node>>, tail: &[Node], turn: &[Node]) -> TurnCourse {
         let n = turn.len() - 1;
         let is_closed = before.is_none();
         let back = before.map_or(turn[n - 1], |b| b[b.len() - 2]).touch.centre;
         let ahead = turn[1].touch.centre;
         let touches: Vec<Touch> = turn.iter().map(|n| n.touch).collect();
-        Course {
+        TurnCourse {
             along: curve::tangents(Some(&back), &touches, is_closed.then_some(&ahead)),
             round: tail.iter().map(|n| n.touch).chain(touches).collect(),
             shares: if is_closed { ramp(turn, RAMP_STEPOVERS * self.flat_mm) } else { vec![1.0; n + 1] },
@@ -208,9 +208,9 @@ impl Front<'_> {
 
     /// The neighbours of a turn's nodes, each sought for itself; that of the first is the last of
     /// the turn.
-    fn neighbours(&self, turn: &[Node], course: &Course, is_closed: bool) -> Neighbours {
+    fn neighbours(&self, turn: &[Node], course: &TurnCourse, is_closed: bool) -> Neighbours {
         let n = turn.len() - 1;
-        let Course { along, round, shares } = course;
+        let TurnCourse { along, round, shares } = course;
         let mut next: Neighbours = parallel::map(0..=n, |i| self.neighbour_of(&turn[i], round, along[i], shares[i]));
         next[0] = Some(turn[n]);
         if !is_closed && let Some(start) = next[1] {
@@ -227,7 +227,7 @@ impl Front<'_> {
     /// nothing between them, at edges that it passes leaning aside as much as its corner does.
     /// Turns that run ahead so far on one side stand across the blade soon, where cutters lean
     /// aside all the more.
-    fn kept_together(&self, turn: &[Node], course: &Course, next: Neighbours) -> Neighbours {
+    fn kept_together(&self, turn: &[Node], course: &TurnCourse, next: Neighbours) -> Neighbours {
         let is_free = |i: usize| course.shares[i] >= LEAST_SHARE;
         let free = next.iter().enumerate().filter(|(i, _)| is_free(*i)).filter_map(|(_, n)| *n);
         let mut ways: Vec<f64> = free.filter(|n| n.stop.is_none()).map(|n| n.way_mm).collect();

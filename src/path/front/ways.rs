@@ -1,6 +1,6 @@
 //! Ways across over facets, evened out along a turn.
 
-use super::laying::Course;
+use super::laying::TurnCourse;
 use super::neighbour::Heading;
 use super::node::{LEAST_SHARE, Node, arc_lengths};
 use super::{Front, Neighbours};
@@ -19,8 +19,8 @@ impl Front<'_> {
     /// some standard deviations, so that few ridges are higher than asked for. The end of the turn
     /// and its beginning, a stepover apart, count as neighbours: with the one's mean only from
     /// before and the other's only from after, a step would grow there.
-    pub fn even_ways(&self, turn: &[Node], course: &Course, next: Neighbours) -> Neighbours {
-        let Course { along, round, shares } = course;
+    pub fn even_ways(&self, turn: &[Node], course: &TurnCourse, next: Neighbours) -> Neighbours {
+        let TurnCourse { along, round, shares } = course;
         let n = turn.len() - 1;
         let s_mm = arc_lengths(turn);
         let ways: Vec<Option<f64>> = (0..=n)

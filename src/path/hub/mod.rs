@@ -24,7 +24,7 @@ use crate::geometry::Point;
 use crate::numerics::spline::{CubicSpline, SplineEnds};
 use crate::observe::Observer;
 use crate::parallel;
-use passage::{Closed, Foot, Frame, Passage, Station};
+use passage::{BladeFoot, Closed, Frame, Passage, Station};
 
 /// Rows are laid anew with another number of them at most so often.
 const ROUNDS: usize = 5;
@@ -59,9 +59,9 @@ pub fn plan(
     let frame = Frame::new(wheel).ok_or_else(|| Error::usage(Stage::Path, "the rotor axis is along the blade"))?;
     let passage = Passage { level, frame: &frame };
     let [low_mm, high_mm] = blade.regions.airfoil_x_mm();
-    let foot = Foot { at: Point::new(low_mm, 0.0, 0.0), blade_mm: high_mm - low_mm };
+    let foot = BladeFoot { at: Point::new(low_mm, 0.0, 0.0), blade_mm: high_mm - low_mm };
     let stations = passage.stations(&foot).map_err(|why| closed(blade, why, options))?;
-    let Some(rows) = Rows::new(blade, passage, &stations, options) else {
+    let Some(rows) = HubRows::new(blade, passage, &stations, options) else {
         return Err(closed(blade, Closed::NoHub(foot.at), options));
     };
     let scallop_mm = options.settings.scallop_mm;
@@ -124,7 +124,7 @@ fn closed(blade: &Blade, why: Closed, options: &PathOptions) -> Error {
 }
 
 /// A row, as a share of the way from the middle of the passage to either side.
-struct Rows<'a> {
+struct HubRows<'a> {
     passage: Passage<'a>,
     /// Middle and half width of the passage, rad, and the ball's distance from the rotor axis, mm,
     /// over the place along that axis.
@@ -134,7 +134,7 @@ struct Rows<'a> {
     blade: &'a Blade,
 }
 
-impl<'a> Rows<'a> {
+impl<'a> HubRows<'a> {
     /// `None` where there are too few stations for a row.
     fn new(blade: &'a Blade, passage: Passage<'a>, stations: &[Station], options: &'a PathOptions) -> Option<Self> {
         let z_mm: Vec<f64> = stations.iter().map(|s| s.z_mm).collect();
@@ -143,7 +143,7 @@ impl<'a> Rows<'a> {
             stations.iter().flat_map(|s| [s.middle_rad, s.half_rad - off_mm / s.radius_mm, s.radius_mm]).collect();
         let along = CubicSpline::new(&z_mm, &values, 3, &SplineEnds::Natural).ok()?;
         let ends_mm = [*z_mm.first()?, *z_mm.last()?];
-        Some(Rows { passage, along, ends_mm, options, blade })
+        Some(HubRows { passage, along, ends_mm, options, blade })
     }
 
     /// The ball of a row at a place.

@@ -71,7 +71,7 @@ pub enum Closed {
 }
 
 /// Where a blade stands on its hub.
-pub struct Foot {
+pub struct BladeFoot {
     /// A point of the blade at its foot, or over it.
     pub at: Point,
     /// Height of the blade over it, mm.
@@ -161,7 +161,7 @@ impl Passage<'_> {
     }
 
     /// A station between two blades, at `z_mm`.
-    fn first(&self, foot: &Foot) -> Option<Station> {
+    fn first(&self, foot: &BladeFoot) -> Option<Station> {
         let [z_mm, blade_rad, foot_mm] = self.frame.of(&foot.at);
         let pitch = self.frame.pitch_rad();
         let reach_mm = self.level.part.mesh.points.iter().map(|p| self.frame.of(p)[2]).fold(0.0, f64::max);
@@ -229,7 +229,7 @@ impl Passage<'_> {
     ///
     /// # Errors
     /// See [`Closed`].
-    pub fn stations(&self, foot: &Foot) -> Result<Vec<Station>, Closed> {
+    pub fn stations(&self, foot: &BladeFoot) -> Result<Vec<Station>, Closed> {
         let first = self.first(foot).ok_or_else(|| self.why_no_first(foot))?;
         let mut out = self.onwards(&first, -1.0)?;
         out.reverse();
@@ -286,7 +286,7 @@ impl Passage<'_> {
     }
 
     /// Why no station is found about the blade's foot.
-    fn why_no_first(&self, foot: &Foot) -> Closed {
+    fn why_no_first(&self, foot: &BladeFoot) -> Closed {
         let with = |radius_mm: f64| {
             let level = LevelSet { radius_mm, ..*self.level };
             Passage { level: &level, frame: self.frame }.first(foot)

@@ -19,8 +19,8 @@ fn level(part: &Part) -> LevelSet<'_> {
     LevelSet { part, along: Along::BLADE, radius_mm: BALL, inclined: None, rim: None, lowest_mm: f64::NEG_INFINITY }
 }
 
-fn foot() -> Foot {
-    Foot { at: Point::new(HUB_RADIUS + 0.5, 0.0, 0.0), blade_mm: 20.0 }
+fn foot() -> BladeFoot {
+    BladeFoot { at: Point::new(HUB_RADIUS + 0.5, 0.0, 0.0), blade_mm: 20.0 }
 }
 
 fn options(wheel: Wheel, scallop_mm: f64) -> PathOptions {

@@ -30,7 +30,7 @@ const TRIALS: usize = 12;
 const LEAST_STEP: f64 = 0.05;
 
 /// Rows on one side of the first.
-pub(super) struct Laid {
+pub(super) struct LaidSide {
     pub rows: Vec<Vec<Option<Standing>>>,
     /// Why they ended, with the number of heights.
     pub ends: BTreeMap<RowEnd, usize>,
@@ -55,8 +55,8 @@ pub(super) fn side_of(
     first: &[Option<Standing>],
     (sign, flat_mm): (f64, f64),
     observer: &dyn Observer,
-) -> Result<Laid> {
-    let mut out = Laid { rows: Vec::new(), ends: BTreeMap::new(), greatest_mm: [0.0; 2] };
+) -> Result<LaidSide> {
+    let mut out = LaidSide { rows: Vec::new(), ends: BTreeMap::new(), greatest_mm: [0.0; 2] };
     let aim_mm = AIM * sheet.options.settings.scallop_mm;
     let mut last = first.to_vec();
     let mut steps_mm = vec![flat_mm; last.len()];

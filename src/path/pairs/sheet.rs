@@ -11,7 +11,7 @@ use crate::artifact::paired::{BallContact, PairPlace, RowEnd};
 use crate::artifact::region::{Area, Region};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::allowance::Allowed;
-use crate::geometry::opposite::{Pair, Place, has_inside, partner, partner_across_creases};
+use crate::geometry::opposite::{Pair, SurfacePlace, has_inside, partner, partner_across_creases};
 use crate::geometry::profile::Sides;
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
@@ -130,7 +130,7 @@ impl<'a> Sheet<'a> {
         }
         let part = &self.blade.part;
         let stock_mm = self.options.settings.stock_mm;
-        let place = Place { point: first.contact - first.normal * stock_mm, normal: first.normal };
+        let place = SurfacePlace { point: first.contact - first.normal * stock_mm, normal: first.normal };
         let is_opposite = |pair: &Pair| pair.angle_rad() <= self.options.max_angle_rad;
         // A ball that holds nothing is as large as the search began with.
         let near = (within_mm < self.within_mm).then(|| partner(part, place, within_mm)).flatten();
@@ -168,7 +168,7 @@ impl<'a> Sheet<'a> {
         let touch = level.touch_in_plane(&(from.touches[0].centre + tangent * step_mm), reach);
         let next = self.beside(from, touch.ok_or(RowEnd::NoBall)?)?;
         // On one sheet the partner goes about as far as the place itself.
-        let gone = |a: &Place, b: &Place| (b.point - a.point).norm();
+        let gone = |a: &SurfacePlace, b: &SurfacePlace| (b.point - a.point).norm();
         let own = gone(&from.pair.first, &next.pair.first).max(0.02 * level.radius_mm);
         match gone(&from.pair.second, &next.pair.second) <= 3.0 * own {
             true => Ok(next),

@@ -4,7 +4,7 @@
 //! A statement either is acted on, is known to be harmless, or is refused.
 
 use super::arc::RADII_MM;
-use super::block::{Arc, Block, Call, Centre, Course, Destination, Feed, Script};
+use super::block::{Arc, Block, Call, Centre, Destination, Feed, Interpolation, Script};
 use super::unreadable;
 use crate::artifact::program::{LengthOffset, Setting, Turning};
 use crate::error::Result;
@@ -315,8 +315,8 @@ impl AptReader {
         }
         let course = match self.circle.take() {
             Some(_) if feed == Feed::Rapid => return Err("a circle in a rapid".into()),
-            Some(arc) => Course::Arc(arc),
-            None => Course::Straight,
+            Some(arc) => Interpolation::Arc(arc),
+            None => Interpolation::Straight,
         };
         self.at = Some(to);
         let place = Destination::Vector { point: to.map(Some), axis };

@@ -21,7 +21,7 @@ const MOST: f64 = 20_000.0;
 
 /// One of the equal parts of an arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct ArcPiece {
     /// Where it ends, mm.
     pub to: [f64; 3],
     /// Coefficients of `p²` to `p⁵`, `p` going from 0 to 1 over the piece, mm.
@@ -32,7 +32,7 @@ pub(super) struct Piece {
 ///
 /// # Errors
 /// What is wrong with it, in words.
-pub(super) fn pieces(arc: &Arc, from: [f64; 3], to: [f64; 3]) -> Result<Vec<Piece>, String> {
+pub(super) fn pieces(arc: &Arc, from: [f64; 3], to: [f64; 3]) -> Result<Vec<ArcPiece>, String> {
     let [a, b] = [Vector::from(from), Vector::from(to)];
     let axis = Vector::from(arc.axis).try_normalize(0.0).ok_or("the axis of the arc is 0")?;
     let across = |v: Vector| v - axis * axis.dot(&v);
@@ -79,9 +79,9 @@ pub(super) fn pieces(arc: &Arc, from: [f64; 3], to: [f64; 3]) -> Result<Vec<Piec
     };
     let pieces = (0..count as usize).map(|k| {
         let [from, until] = [at(k as f64), at((k + 1) as f64)];
-        Piece { to: until[0].into(), bend: bend(&from, &until) }
+        ArcPiece { to: until[0].into(), bend: bend(&from, &until) }
     });
-    let mut pieces: Vec<Piece> = pieces.collect();
+    let mut pieces: Vec<ArcPiece> = pieces.collect();
     if let Some(piece) = pieces.last_mut() {
         piece.to = to;
     }
@@ -121,7 +121,7 @@ mod tests {
     use super::*;
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    fn at(pieces: &[Piece], from: [f64; 3], share: f64) -> Vector {
+    fn at(pieces: &[ArcPiece], from: [f64; 3], share: f64) -> Vector {
         let k = ((share * pieces.len() as f64) as usize).min(pieces.len() - 1);
         let p = share * pieces.len() as f64 - k as f64;
         let start = if k == 0 { from } else { pieces[k - 1].to };

@@ -77,7 +77,7 @@ pub struct Arc {
 
 /// How X, Y and Z go to their ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Course {
+pub enum Interpolation {
     /// Straight, every word evenly.
     #[default]
     Straight,
@@ -110,7 +110,7 @@ pub struct Block {
     /// How the rotary words are meant.
     pub ways: [RotaryWay; 3],
     /// How the words go to their ends.
-    pub course: Course,
+    pub course: Interpolation,
     /// The tool axis turns in the plane of its ends, evenly; the rotary axes follow it.
     pub great_circle: bool,
     /// Coordinates of the line to those of the program's zero.
@@ -185,7 +185,7 @@ impl Block {
             place,
             steps: [false; 3],
             ways: [RotaryWay::To; 3],
-            course: Course::Straight,
+            course: Interpolation::Straight,
             great_circle: false,
             frame: Rigid::identity(),
             in_plane: false,

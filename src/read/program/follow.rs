@@ -12,8 +12,8 @@
 
 use std::f64::consts::TAU;
 
-use super::arc::{self, Piece};
-use super::block::{Bend, Block, Course, Destination, Feed, RotaryWay};
+use super::arc::{self, ArcPiece};
+use super::block::{Bend, Block, Destination, Feed, Interpolation, RotaryWay};
 use super::moved::{self, Moved};
 use super::turn::great_circle;
 use super::unreachable;
@@ -228,7 +228,7 @@ impl<'a> Follower<'a> {
             let words = self.bench.language.programmed;
             self.over_the_part(block, words, point, to)
         };
-        if let Course::Bent(Bend { begins: Some(begins), .. }) = block.course {
+        if let Interpolation::Bent(Bend { begins: Some(begins), .. }) = block.course {
             self.begin(block, begins, &mut way)?;
         }
         self.without_missing(block, &mut way)?;
@@ -240,7 +240,7 @@ impl<'a> Follower<'a> {
     fn plain_where_diameters(&self, block: &Block, by_axes: bool) -> Result<()> {
         let Some(axis) = self.bench.machine.axes().iter().find(|a| a.counts_diameter) else { return Ok(()) };
         let shifted = !block.machine && block.frame != Rigid::identity();
-        if by_axes && !shifted && matches!(block.course, Course::Straight) {
+        if by_axes && !shifted && matches!(block.course, Interpolation::Straight) {
             return Ok(());
         }
         let what = "only straight moves by positions of axes are read, without frames";
@@ -371,11 +371,13 @@ impl<'a> Follower<'a> {
         }
         let first = out.len();
         let pieces = match &block.course {
-            Course::Arc(arc) => arc::pieces(arc, way.here, way.there).map_err(|e| unreachable(block.line, &e))?,
-            Course::Straight | Course::Bent(_) => Vec::new(),
+            Interpolation::Arc(arc) => {
+                arc::pieces(arc, way.here, way.there).map_err(|e| unreachable(block.line, &e))?
+            }
+            Interpolation::Straight | Interpolation::Bent(_) => Vec::new(),
         };
         let ends = if block.great_circle && way.words != Programmed::Machine {
-            if !matches!(block.course, Course::Straight) {
+            if !matches!(block.course, Interpolation::Straight) {
                 return Err(unreachable(block.line, "a great circle of the tool axis along a bent way"));
             }
             let vector = matches!(block.place, Destination::Vector { .. });
@@ -405,7 +407,7 @@ impl<'a> Follower<'a> {
             push(to, None);
         }
         if pieces.is_empty() && ends.is_empty() {
-            let bend = if let Course::Bent(bend) = &block.course { Some(bend) } else { None };
+            let bend = if let Interpolation::Bent(bend) = &block.course { Some(bend) } else { None };
             push(to, bend.map(|bend| self.polynomials(bend, way)));
         }
         self.more += out.len() - first - 1;
@@ -419,7 +421,7 @@ impl<'a> Follower<'a> {
     }
 
     /// The polynomials of a piece of an arc.
-    fn bent(&self, way: &BlockWay, piece: &Piece) -> Axes<[f64; 4]> {
+    fn bent(&self, way: &BlockWay, piece: &ArcPiece) -> Axes<[f64; 4]> {
         self.polynomials(&Bend { point: piece.bend, ..Bend::default() }, way)
     }
 

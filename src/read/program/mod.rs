@@ -33,7 +33,7 @@ mod tests;
 mod turn;
 mod walk;
 
-pub use block::{Arc, Bend, Block, Call, Centre, Course, Destination, Feed, RotaryWay, Script};
+pub use block::{Arc, Bend, Block, Call, Centre, Destination, Feed, Interpolation, RotaryWay, Script};
 pub use follow::{Bench, Zero, follow, follow_each};
 pub use guess::{Guess, guess};
 pub use moved::Moved;

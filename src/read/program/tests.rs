@@ -108,8 +108,8 @@ fn steps_and_polynomials_of_g_code() {
         "N10 G1 X0 Y0 Z0 F600\nN11 UPATH POLY PO[X]=(1, 2.5, 0.7) PO[Y]=(0.3,1,3.2) PL=1.5\nX2 A=PO(10,4)\nG1 X3",
     )
     .unwrap();
-    let bend = |b: &Block| if let Course::Bent(bend) = b.course { Some(bend) } else { None };
-    assert_eq!((b[0].course, b[3].course), (Course::Straight, Course::Straight));
+    let bend = |b: &Block| if let Interpolation::Bent(bend) = b.course { Some(bend) } else { None };
+    assert_eq!((b[0].course, b[3].course), (Interpolation::Straight, Interpolation::Straight));
     let of_y = bend(&b[2]).unwrap();
     let bend = bend(&b[1]).unwrap();
     assert_eq!(bend.point[0], [2.5 * 1.5 * 1.5, 0.7 * 1.5 * 1.5 * 1.5, 0.0, 0.0]);
@@ -136,7 +136,7 @@ fn steps_and_polynomials_of_g_code() {
     }
     // POLY that is off again: polynomials are not followed, as the control does not.
     let b = gcode("G1 PO[X]=(1,2) F1").unwrap();
-    assert_eq!(b[0].course, Course::Straight);
+    assert_eq!(b[0].course, Interpolation::Straight);
 }
 
 fn language(grammar: Grammar, programmed: Programmed) -> Language {

@@ -2,7 +2,7 @@
 //! with the other sign of B, and with the other sense of A.
 
 use super::legs::Legs;
-use super::line_check::{Limit, LineCheck};
+use super::line_check::{LineCheck, LineLimit};
 use super::report::WorstMove;
 use super::{AuditScene, checks};
 use crate::artifact::CheckId;
@@ -77,7 +77,7 @@ fn well(scene: &AuditScene, moves: &[Moved], machine: &Machine) -> Result<bool> 
 }
 
 fn blamed(scene: &AuditScene, id: CheckId, quantity: &str, says: impl Fn(&Moved) -> bool) -> LineCheck {
-    let limit = Limit { id, quantity: quantity.into(), limit: 0.0, unit: "sign", passed: false };
+    let limit = LineLimit { id, quantity: quantity.into(), limit: 0.0, unit: "sign", passed: false };
     let moved = scene.moves.iter().position(says);
     scene.judged(limit, &WorstMove { value: 1.0, moved, turn: None, point: None }, "the first line that says it".into())
 }

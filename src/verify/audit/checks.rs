@@ -1,7 +1,7 @@
 //! Gouge, clearance, rapids and travel of a program.
 
 use super::legs::LegKind;
-use super::line_check::{Limit, LineCheck};
+use super::line_check::{LineCheck, LineLimit};
 use super::report::WorstMove;
 use super::{AuditScene, MovesSource};
 use crate::artifact::program::Programmed;
@@ -28,7 +28,7 @@ pub(super) fn contact(scene: &AuditScene, passes: &Sweep) -> LineCheck {
     let cut = scene.legs.of(LegKind::Cut);
     let along: Vec<usize> = (0..cut.len()).filter(|i| passes.counts(*i)).collect();
     let share = along.len() as f64 / cut.iter().filter(|c| **c).count().max(1) as f64;
-    let limit = Limit {
+    let limit = LineLimit {
         id: CheckId::Contact,
         quantity: format!(
             "share of the feed legs in which the {} is at the part, greater than the limit",
@@ -53,7 +53,7 @@ pub(super) fn gouge(scene: &AuditScene) -> LineCheck {
         None => scene.deepest(scene.legs.of(LegKind::Cut), options.settings.resolution_mm, 0.0),
     };
     let bound = found.bound_mm.max(found.found_mm).max(0.0);
-    let limit = Limit {
+    let limit = LineLimit {
         id: CheckId::Gouge,
         quantity: format!("depth of the swept {} in the part at a feed", scene.end_name()),
         limit: options.settings.gouge_mm,
@@ -89,7 +89,7 @@ impl AuditScene<'_> {
     }
 
     /// Least distance of segments of the tool, what is known of the part taken off; and its check.
-    fn clearance(&self, limit: Limit, segments: &[Segment], wanted: &[bool]) -> LineCheck {
+    fn clearance(&self, limit: LineLimit, segments: &[Segment], wanted: &[bool]) -> LineCheck {
         let closely = self.options.clearance_closely;
         let to = if closely { clearance::CLOSELY } else { clearance::usual(self.options.clearance_resolution_mm) };
         let track = self.track(wanted);
@@ -109,7 +109,7 @@ impl AuditScene<'_> {
             (near, worst) = measure(on);
         }
         let deflection = on.deflection_mm;
-        let limit = Limit { passed: worst >= 0.0, ..limit };
+        let limit = LineLimit { passed: worst >= 0.0, ..limit };
         let note = format!(
             "{}; measured {:.6}, part known to {deflection:.6}, nowhere less than {worst:.6}",
             who(self, on, segments, &near),
@@ -138,7 +138,7 @@ pub(super) fn clearances(scene: &AuditScene) -> Vec<LineCheck> {
     let wanted = scene.legs.of(LegKind::Cut);
     let groups = [(CheckId::Clearance, "taper and shank", cutter), (CheckId::HolderClearance, "the holder", holder)];
     let check = |(id, what, segments): (CheckId, &str, Vec<Segment>)| {
-        let limit = Limit {
+        let limit = LineLimit {
             id,
             quantity: format!("least distance of {what} to the part at a feed"),
             limit: 0.0,
@@ -156,7 +156,7 @@ pub(super) fn rapid(scene: &AuditScene) -> Option<LineCheck> {
     if !wanted.contains(&true) {
         return None;
     }
-    let limit = || Limit {
+    let limit = || LineLimit {
         id: CheckId::Rapid,
         quantity: "least distance of the whole tool to the part in rapids".into(),
         limit: 0.0,
@@ -172,7 +172,7 @@ pub(super) fn rapid(scene: &AuditScene) -> Option<LineCheck> {
     let at = scene.part.closest(&ball.centre, f64::INFINITY);
     let face = at.map(|c| scene.part.face_name(c.face)).unwrap_or_default();
     let note = format!("{} to {face}; measured {:.6}, nowhere less than {least:.6}", scene.end_name(), -ball.found_mm);
-    let limit = Limit { passed: least >= 0.0, ..limit() };
+    let limit = LineLimit { passed: least >= 0.0, ..limit() };
     let mut check = scene.judged(limit, &scene.on_leg(least, ball.segment, at.map(|c| c.point)), note);
     if !check.check.passed {
         scene.tell_spans(&mut check, &scene.deeper_than(wanted, 0.0), ball.segment);
@@ -197,7 +197,7 @@ pub(super) fn travel(scene: &AuditScene) -> Vec<LineCheck> {
         let range =
             reached[axis].iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, (_, a, b)| [r[0].min(*a), r[1].max(*b)]);
         let [a, b, c, d] = [range[0], range[1], lo, hi].map(|v| v * scale);
-        let limit = Limit {
+        let limit = LineLimit {
             id: CheckId::axis(name, AxisCheck::Travel),
             quantity: format!("how far axis {name} leaves its travel"),
             limit: 0.0,
@@ -238,7 +238,7 @@ pub(super) fn velocity(scene: &AuditScene) -> Vec<LineCheck> {
         let allowed = OVER_VELOCITY * own.limits.velocity;
         let worst = list.iter().copied().reduce(|best, v| if v.1 > best.1 { v } else { best })?;
         let (scale, unit) = (own.scale(), if own.is_rotary() { "deg/s" } else { "mm/s" });
-        let limit = Limit {
+        let limit = LineLimit {
             id: CheckId::axis(&own.name, AxisCheck::Velocity),
             quantity: format!("velocity of axis {} that a programmed feed asks for", own.name),
             limit: allowed * scale,

@@ -7,7 +7,7 @@ use crate::artifact::report::Check;
 
 /// Lines that follow one another and break a limit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Span {
+pub struct LineRun {
     /// First line, from 1.
     pub first_line: usize,
     /// Last line.
@@ -25,13 +25,13 @@ pub struct LineCheck {
     /// That line.
     pub block: Option<String>,
     /// Lines that break the limit, in order, at most 20 spans.
-    pub spans: Vec<Span>,
+    pub spans: Vec<LineRun>,
     /// How many such spans there are.
     pub span_count: usize,
 }
 
 /// How a check is called and judged.
-pub(super) struct Limit {
+pub(super) struct LineLimit {
     pub id: CheckId,
     pub quantity: String,
     pub limit: f64,

@@ -42,7 +42,7 @@ pub(super) mod scallop;
 #[cfg(test)]
 mod tests;
 
-pub use line_check::{LineCheck, Span};
+pub use line_check::{LineCheck, LineRun};
 pub use report::Audit;
 
 use std::cell::RefCell;

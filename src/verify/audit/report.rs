@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::AuditScene;
 use super::legs::LegKind;
-use super::line_check::{Limit, LineCheck, Span};
+use super::line_check::{LineCheck, LineLimit, LineRun};
 use crate::artifact::deviation::DeviationMap;
 use crate::artifact::report::Check;
 use crate::geometry::Point;
@@ -75,7 +75,7 @@ impl AuditScene<'_> {
     }
 
     /// A check, placed.
-    pub(super) fn judged(&self, limit: Limit, worst: &WorstMove, note: String) -> LineCheck {
+    pub(super) fn judged(&self, limit: LineLimit, worst: &WorstMove, note: String) -> LineCheck {
         let point = worst.point.map(|p| self.blade.model_from_blade * p);
         let line = worst.moved.and_then(|m| self.moves.get(m)).map(|m| m.line);
         let block = self.line(line);
@@ -102,7 +102,7 @@ impl AuditScene<'_> {
 
     /// What a program sets beside its motion, as a check placed in its text.
     pub(super) fn set(&self, found: Finding) -> LineCheck {
-        let limit = Limit {
+        let limit = LineLimit {
             id: found.id,
             quantity: found.quantity.into(),
             limit: found.limit,
@@ -130,14 +130,14 @@ impl AuditScene<'_> {
 
     /// Moves that break a limit, as spans of such that follow one another, in order; at most
     /// [`MOST_SPANS`], and how many there are.
-    pub(super) fn spans(&self, mut moves: Vec<usize>) -> (Vec<Span>, usize) {
+    pub(super) fn spans(&self, mut moves: Vec<usize>) -> (Vec<LineRun>, usize) {
         moves.sort_unstable();
-        let mut all: Vec<(Span, usize)> = Vec::new();
+        let mut all: Vec<(LineRun, usize)> = Vec::new();
         for moved in moves {
             let Some(line) = self.moves.get(moved).map(|m| m.line) else { continue };
             match all.last_mut() {
                 Some((span, last)) if moved <= *last + 1 => (span.last_line, *last) = (line, moved),
-                _ => all.push((Span { first_line: line, last_line: line }, moved)),
+                _ => all.push((LineRun { first_line: line, last_line: line }, moved)),
             }
         }
         let count = all.len();

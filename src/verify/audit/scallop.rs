@@ -11,7 +11,7 @@
 //! too.
 
 use super::AuditScene;
-use super::line_check::{Limit, LineCheck};
+use super::line_check::{LineCheck, LineLimit};
 use crate::artifact::CheckId;
 use crate::parallel;
 use crate::verify::between::{Height, Heights, LEAST_REACH_MM, NEAR_MM, REACH_STEPOVERS, between, percentile, sorted};
@@ -90,7 +90,7 @@ pub(super) fn checks(scene: &AuditScene, heights: &Heights) -> Vec<LineCheck> {
         return Vec::new();
     };
     let usual = median_gap(all);
-    let limit = |id: CheckId, quantity: String, value: f64, ratio: f64| Limit {
+    let limit = |id: CheckId, quantity: String, value: f64, ratio: f64| LineLimit {
         id,
         quantity,
         limit: ratio * asked,

@@ -28,7 +28,7 @@ pub(super) type WordBends = Axes<[f64; 4]>;
 
 /// Gives the words of a place, mm and degrees: a column for each axis of the machine, those of X,
 /// Y, Z being the programmed point.
-pub(super) type Words<'a> = dyn Fn(&Move) -> Axes + Sync + 'a;
+pub(super) type WordsOf<'a> = dyn Fn(&Move) -> Axes + Sync + 'a;
 
 /// The end of a cutting move.
 #[derive(Clone, Copy, Debug)]

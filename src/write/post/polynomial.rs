@@ -27,7 +27,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::OperationRun;
-use super::moves::{Move, WordBends, Words};
+use super::moves::{Move, WordBends, WordsOf};
 use super::spline;
 use crate::artifact::{Axes, Motion};
 use crate::error::{Error, Infeasible, Result, Stage};
@@ -91,7 +91,7 @@ struct RowWay<'a> {
     motion: &'a Motion<'a>,
     /// Its first row.
     row: usize,
-    words: &'a Words<'a>,
+    words: &'a WordsOf<'a>,
     /// What a polynomial may be off each word.
     most_off: &'a [f64],
 }
@@ -155,12 +155,12 @@ impl RowWay<'_> {
 ///
 /// # Errors
 /// `Infeasible` where the motion turns so wildly that no polynomial of a short part follows it.
-pub(super) fn all(run: &OperationRun, degree: usize, is_spline: bool, words: &Words) -> Result<Vec<Move>> {
+pub(super) fn all(run: &OperationRun, degree: usize, is_spline: bool, words: &WordsOf) -> Result<Vec<Move>> {
     let fit = Fit::new(degree)
         .ok_or_else(|| Error::usage(Stage::Post, format!("there are no polynomials of degree {degree} to write")))?;
     let plan = run.plan;
     let most_off: Vec<f64> = run.machine.axes().iter().map(|a| if a.is_rotary() { OFF_DEG } else { OFF_MM }).collect();
-    let one = |motion: &Motion, row: usize, from: &Move, to: &Move, words: &Words| {
+    let one = |motion: &Motion, row: usize, from: &Move, to: &Move, words: &WordsOf| {
         let mut out = Vec::new();
         let way = RowWay { from: *from, to: *to, motion, row, words, most_off: &most_off };
         way.write(&fit, [0.0, 1.0], 0, &mut out)?;

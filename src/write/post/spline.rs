@@ -14,7 +14,7 @@
 //! meet. Halves of the curve's pieces are added until they too are as near.
 
 use super::OperationRun;
-use super::moves::{Move, WordBends, Words};
+use super::moves::{Move, WordBends, WordsOf};
 use crate::artifact::programmed::Way;
 use crate::artifact::{Axes, Motion, ProgrammedCurve};
 use crate::error::{Error, Infeasible, Result, Stage};
@@ -270,7 +270,7 @@ pub(super) fn all(
     curve: &ProgrammedCurve,
     degree: usize,
     words: &(dyn Fn(&Move) -> Axes + Sync),
-    straight: impl Fn(&Motion, usize, &Move, &Move, &Words) -> Result<Vec<Move>>,
+    straight: impl Fn(&Motion, usize, &Move, &Move, &WordsOf) -> Result<Vec<Move>>,
 ) -> Result<Vec<Move>> {
     let motion = Motion::of(run.plan);
     let moves: Vec<Move> = Move::rows(run.plan).collect();

@@ -133,7 +133,7 @@ pub(super) enum WordPiece {
 
 /// What stands between two spaces.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Word {
+pub(super) struct TemplateWord {
     pub(super) pieces: Vec<WordPiece>,
     /// Left out while its values stay.
     pub(super) modal: bool,
@@ -145,7 +145,7 @@ pub(super) struct TemplateLine {
     pub(super) comment: bool,
     /// Of `text.look_ahead` or `text.look_ahead_end`: left out where the job does without.
     pub(super) look_ahead: bool,
-    pub(super) words: Vec<Word>,
+    pub(super) words: Vec<TemplateWord>,
 }
 
 /// A value to write.
@@ -182,7 +182,7 @@ fn line(text: &str, modal: &[usize]) -> Result<TemplateLine, String> {
     })
 }
 
-fn word(text: &str, modal: &[usize]) -> Result<Word, String> {
+fn word(text: &str, modal: &[usize]) -> Result<TemplateWord, String> {
     let mut pieces = Vec::new();
     let mut rest = text;
     while let Some((before, after)) = rest.split_once('{') {
@@ -205,7 +205,7 @@ fn word(text: &str, modal: &[usize]) -> Result<Word, String> {
         pieces.push(WordPiece::Text(rest.into()));
     }
     let modal = pieces.iter().any(|p| matches!(p, WordPiece::Value(k, _) if modal.contains(k)));
-    Ok(Word { pieces, modal })
+    Ok(TemplateWord { pieces, modal })
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::dialect::{Dialect, FeedWord, Rotary};
 use super::fixed::Fixed;
 use super::moves::{self, Move, WordBends};
 use super::polynomial;
-use super::template::{Class, KEYS, TemplateLine, Value, Word, WordPiece, key};
+use super::template::{Class, KEYS, TemplateLine, TemplateWord, Value, WordPiece, key};
 use super::text::{Lines, ascii, header, title};
 use super::{OperationRun, WayEnd, cycle, merge, smoothing, turn_in};
 use crate::artifact::plan::Stretch;
@@ -98,7 +98,7 @@ struct Writer<'a> {
     /// The same before it was rounded.
     exact: Option<Axes>,
     /// What each modal word last was.
-    modal: Vec<(Word, String)>,
+    modal: Vec<(TemplateWord, String)>,
 }
 
 /// A pose as a program sees it.
@@ -533,7 +533,7 @@ impl<'a> Writer<'a> {
 
     /// A word of a linear axis or of the second rotary axis that the machine has not, or of the
     /// latter where it stands still and need not be named again.
-    fn left_out(&self, word: &Word) -> bool {
+    fn left_out(&self, word: &TemplateWord) -> bool {
         let says =
             |name: &str| word.pieces.iter().any(|p| matches!(p, WordPiece::Value(k, _) if Some(*k) == key(name)));
         let machine = self.run.machine;
@@ -551,7 +551,7 @@ impl<'a> Writer<'a> {
     }
 
     /// A modal word says what it said before; remembers what it says now.
-    fn repeats(&mut self, word: &Word, text: &str) -> bool {
+    fn repeats(&mut self, word: &TemplateWord, text: &str) -> bool {
         match self.modal.iter_mut().find(|(w, _)| w == word) {
             Some((_, last)) if last == text => true,
             Some((_, last)) => {

@@ -6,7 +6,7 @@
 
 /// One stretch of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
+pub struct ParamSpan {
     /// In the file.
     pub file: [f64; 2],
     /// In our NURBS.
@@ -17,12 +17,12 @@ pub struct Span {
 
 /// A monotone map from the file's parameter to ours.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ParamMap(pub Vec<Span>);
+pub struct ParamMap(pub Vec<ParamSpan>);
 
 impl ParamMap {
     /// Even from one range to another.
     pub fn even(file: [f64; 2], ours: [f64; 2]) -> Self {
-        ParamMap(vec![Span { file, ours, half: None }])
+        ParamMap(vec![ParamSpan { file, ours, half: None }])
     }
 
     /// Arc segments of equal angle: knots stand at the angles.
@@ -30,18 +30,25 @@ impl ParamMap {
         let at = |k: usize| from + (to - from) * k as f64 / segments as f64;
         let half = 0.5 * (to - from) / segments as f64;
         ParamMap(
-            (0..segments).map(|k| [at(k), at(k + 1)]).map(|r| Span { file: r, ours: r, half: Some(half) }).collect(),
+            (0..segments)
+                .map(|k| [at(k), at(k + 1)])
+                .map(|r| ParamSpan { file: r, ours: r, half: Some(half) })
+                .collect(),
         )
     }
 
     /// One map behind the other, the file's parameter running on.
     pub fn chain(maps: &[ParamMap]) -> Self {
-        let mut out: Vec<Span> = Vec::new();
+        let mut out: Vec<ParamSpan> = Vec::new();
         for map in maps {
             let Some(first) = map.0.first() else { continue };
-            let shift = |end: fn(&Span) -> f64, begin: f64| out.last().map_or(0.0, |s| end(s) - begin);
+            let shift = |end: fn(&ParamSpan) -> f64, begin: f64| out.last().map_or(0.0, |s| end(s) - begin);
             let (f, o) = (shift(|s| s.file[1], first.file[0]), shift(|s| s.ours[1], first.ours[0]));
-            out.extend(map.0.iter().map(|s| Span { file: s.file.map(|x| x + f), ours: s.ours.map(|x| x + o), ..*s }));
+            out.extend(map.0.iter().map(|s| ParamSpan {
+                file: s.file.map(|x| x + f),
+                ours: s.ours.map(|x| x + o),
+                ..*s
+            }));
         }
         ParamMap(out)
     }

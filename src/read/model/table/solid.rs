@@ -19,7 +19,7 @@ const FLAT: f64 = 1e-7;
 /// A sentence: a cap that cannot be made.
 pub fn close(loft: &Loft) -> Result<Brep, String> {
     let n = loft.surfaces.len();
-    let mut solid = Solid::default();
+    let mut solid = TableSolid::default();
     let hub: Vec<usize> = loft.surfaces.iter().map(|s| solid.edge(row(s, 0))).collect();
     let tip: Vec<usize> = loft.surfaces.iter().map(|s| solid.edge(row(s, s.n_v - 1))).collect();
     let walls: Vec<usize> = loft.surfaces.iter().map(|s| solid.edge(column(s))).collect();
@@ -93,11 +93,11 @@ fn chord(c: &NurbsCurve) -> NurbsCurve {
 }
 
 #[derive(Default)]
-struct Solid {
+struct TableSolid {
     brep: Brep,
 }
 
-impl Solid {
+impl TableSolid {
     fn edge(&mut self, curve: NurbsCurve) -> usize {
         let t = curve.domain();
         self.brep.edges.push(Edge { curve, t });

@@ -1,6 +1,6 @@
 //! Words of axes: where they go, and on which polynomials.
 
-use super::words::Word;
+use super::words::CodeWord;
 use super::{LineWords, Modal};
 use crate::read::program::block::{Bend, RotaryWay};
 
@@ -13,12 +13,12 @@ pub(super) fn axis(address: &str) -> Option<(bool, usize)> {
 
 /// A word of an axis: `X1`, `A=IC(1)`, `PO[X]=(1,2,3)`, `X=PO(1,2,3)`.
 pub(super) fn to_axis(
-    word: &Word,
+    word: &CodeWord,
     (rotary, axis): (bool, usize),
     modal: &Modal,
     said: &mut LineWords,
 ) -> Result<(), String> {
-    let Word { address, ref value, raw, .. } = *word;
+    let CodeWord { address, ref value, raw, .. } = *word;
     let inner =
         |name: &str| value.strip_prefix(name).and_then(|v| v.strip_prefix('(')).and_then(|v| v.strip_suffix(')'));
     let scale = if modal.inch && !rotary { 25.4 } else { 1.0 };

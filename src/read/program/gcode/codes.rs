@@ -3,15 +3,15 @@
 
 use super::frames::{Setting, swivel};
 use super::subprograms::Jump;
-use super::words::Word;
-use super::{Bare, Centre, LineWords, Modal, Motion, Plane};
+use super::words::CodeWord;
+use super::{Bare, Centre, LineWords, Modal, ModalMotion, Plane};
 use crate::artifact::program::Turning;
 
 /// A word other than of an axis.
-pub(super) fn take(word: &Word, modal: &mut Modal, said: &mut LineWords) -> Result<(), String> {
+pub(super) fn take(word: &CodeWord, modal: &mut Modal, said: &mut LineWords) -> Result<(), String> {
     match word.address {
         "M" => miscellaneous(word, said)?,
-        "POLY" => modal.motion = Some(Motion::Polynomial),
+        "POLY" => modal.motion = Some(ModalMotion::Polynomial),
         "PL" => said.interval = Some(word.number()?),
         "I" | "J" | "K" => component(word, &mut said.ijk, "IJK")?,
         "R" | "CR" => said.radius = Some(if modal.inch { 25.4 * word.number()? } else { word.number()? }),
@@ -95,7 +95,7 @@ fn harmless(name: &str) -> bool {
     plain.contains(&name) || ["MSG(", "WORKPIECE(", "GROUP_BEGIN(", "GROUP_END("].iter().any(|n| name.starts_with(n))
 }
 
-fn component(word: &Word, vector: &mut [Option<f64>; 3], letters: &str) -> Result<(), String> {
+fn component(word: &CodeWord, vector: &mut [Option<f64>; 3], letters: &str) -> Result<(), String> {
     let at = letters.find(&word.address[..1]).unwrap_or(0);
     match vector.get_mut(at) {
         Some(slot) => *slot = Some(word.number()?),
@@ -105,7 +105,7 @@ fn component(word: &Word, vector: &mut [Option<f64>; 3], letters: &str) -> Resul
 }
 
 /// A tool by number or by name.
-fn tool(word: &Word) -> Result<String, String> {
+fn tool(word: &CodeWord) -> Result<String, String> {
     let name = word.value.trim_matches('"');
     if name.len() + 2 == word.value.len() && !name.is_empty() {
         return Ok(name.to_owned());
@@ -115,7 +115,7 @@ fn tool(word: &Word) -> Result<String, String> {
 
 /// `CYCLE832(tolerance, kind, tolerance of the tool axis)`: the tolerance; `None` where it is taken
 /// back.
-fn high_speed_setting(word: &Word, modal: &Modal) -> Result<Option<f64>, String> {
+fn high_speed_setting(word: &CodeWord, modal: &Modal) -> Result<Option<f64>, String> {
     let list = word.address.strip_prefix("CYCLE832(").and_then(|l| l.strip_suffix(')')).unwrap_or("?");
     let first = list.split(',').next().unwrap_or("");
     let tolerance = if first.is_empty() { 0.0 } else { word.number_of(first)? };
@@ -123,14 +123,14 @@ fn high_speed_setting(word: &Word, modal: &Modal) -> Result<Option<f64>, String>
 }
 
 /// Preparatory functions.
-pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut LineWords) -> Result<(), String> {
+pub(super) fn preparatory(word: &CodeWord, modal: &mut Modal, said: &mut LineWords) -> Result<(), String> {
     let value = word.value.trim_start_matches('0');
     match value {
         "" if word.value.is_empty() => return Err(format!("{} has no number", word.raw)),
-        "" => modal.motion = Some(Motion::Rapid),
-        "1" => modal.motion = Some(Motion::Straight),
-        "2" => modal.motion = Some(Motion::Arc { clockwise: true }),
-        "3" => modal.motion = Some(Motion::Arc { clockwise: false }),
+        "" => modal.motion = Some(ModalMotion::Rapid),
+        "1" => modal.motion = Some(ModalMotion::Straight),
+        "2" => modal.motion = Some(ModalMotion::Arc { clockwise: true }),
+        "3" => modal.motion = Some(ModalMotion::Arc { clockwise: false }),
         "4" => said.bare = Some(Bare::Dwell),
         "17" => modal.plane = Plane::Xy,
         "18" => modal.plane = Plane::Zx,
@@ -190,7 +190,7 @@ pub(super) fn preparatory(word: &Word, modal: &mut Modal, said: &mut LineWords) 
 }
 
 /// A work offset: the first is the one that zero and part are given for.
-fn frame(word: &Word, value: &str, modal: &mut Modal) -> Result<(), String> {
+fn frame(word: &CodeWord, value: &str, modal: &mut Modal) -> Result<(), String> {
     let number = value.parse().ok();
     if modal.placed && modal.frame != number {
         let before = modal.frame.map_or_else(|| "without one".into(), |f| format!("under G{f}"));
@@ -201,7 +201,7 @@ fn frame(word: &Word, value: &str, modal: &mut Modal) -> Result<(), String> {
 }
 
 /// Miscellaneous functions.
-fn miscellaneous(word: &Word, said: &mut LineWords) -> Result<(), String> {
+fn miscellaneous(word: &CodeWord, said: &mut LineWords) -> Result<(), String> {
     match word.count()? {
         2 | 30 => said.ends = true,
         17 => said.jump = Some(Jump::Done { ends_main: true }),

@@ -2,7 +2,7 @@
 //! `AROT` on top of them), its swivelled plane (`CYCLE800`), the local shift `G52`, the turn `G68`
 //! and the tilted plane `G68.2` of Fanuc.
 
-use super::words::Word;
+use super::words::CodeWord;
 use super::{LineWords, Modal};
 use crate::geometry::{Rigid, Vector};
 
@@ -141,7 +141,7 @@ pub(super) fn set(setting: Setting, said: &LineWords, modal: &mut Modal) -> Resu
 ///
 /// # Errors
 /// Words that are not read.
-pub(super) fn swivel(word: &Word, modal: &mut Modal) -> Result<Option<Swivel>, String> {
+pub(super) fn swivel(word: &CodeWord, modal: &mut Modal) -> Result<Option<Swivel>, String> {
     let list = word.address.strip_prefix("CYCLE800(").and_then(|l| l.strip_suffix(')')).unwrap_or("?");
     if modal.frames.own != Rigid::identity() {
         return Err("CYCLE800 after TRANS or ROT is not read".into());

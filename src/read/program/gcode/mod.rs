@@ -14,10 +14,10 @@ use super::unreadable;
 use super::walk::Walk;
 use crate::artifact::program::Turning;
 use crate::error::Result;
-use modal::{Centre, Modal, Motion, Plane};
+use modal::{Centre, Modal, ModalMotion, Plane};
 use subprograms::{Jump, Subprograms};
 pub(super) use words::code;
-use words::{Constants, Word};
+use words::{CodeWord, Constants};
 
 /// A function that must have its line for itself, with the words that it may have.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -131,9 +131,9 @@ fn siemens(text: &str) -> bool {
 }
 
 /// The constants that a line sets; such a line has nothing else.
-fn set(words: &[Word]) -> std::result::Result<Vec<(String, f64)>, String> {
-    let sets = |w: &&Word| Constants::name(w.address) && w.raw.contains('=');
-    let set: Vec<&Word> = words.iter().filter(sets).collect();
+fn set(words: &[CodeWord]) -> std::result::Result<Vec<(String, f64)>, String> {
+    let sets = |w: &&CodeWord| Constants::name(w.address) && w.raw.contains('=');
+    let set: Vec<&CodeWord> = words.iter().filter(sets).collect();
     let alone = words.iter().all(|w| sets(&w) || w.address == "N");
     let uses = set.iter().any(|w| set.iter().any(|other| w.value.contains(other.address)));
     if !set.is_empty() && (!alone || uses) {
@@ -189,7 +189,7 @@ impl GcodeReader {
     fn words(
         &mut self,
         number: usize,
-        words: &[Word],
+        words: &[CodeWord],
         subprograms: &Subprograms,
     ) -> std::result::Result<Option<Jump>, String> {
         let mut said = LineWords::default();
@@ -211,7 +211,7 @@ impl GcodeReader {
             let to_table = matches!(self.modal.centre, Centre::Axes | Centre::Vectors);
             self.modal.fixed_by = to_table.then_some(number);
         }
-        self.modal.begun |= words.iter().any(|w: &Word| w.address != "N");
+        self.modal.begun |= words.iter().any(|w: &CodeWord| w.address != "N");
         if let Some(call) = said.subprogram(self.modal.siemens)? {
             said.jump = Some(match call {
                 Called::Name(name) => subprograms.by_name(&name, said.p.map_or(1, |p| p as u32))?,
@@ -277,7 +277,7 @@ impl GcodeReader {
             self.push(self.modal.square(number));
         } else {
             let gone = home.then(|| self.modal.gone(number, &said));
-            let motion = if home { Some(Motion::Rapid) } else { self.modal.motion };
+            let motion = if home { Some(ModalMotion::Rapid) } else { self.modal.motion };
             if !home || said.goes(self.modal.steps) {
                 let block = self.modal.block(number, motion, said)?;
                 block.into_iter().for_each(|b| self.push(b));
@@ -368,7 +368,7 @@ impl LineWords {
         let moves = self.moves();
         let (p, q) = (self.p, self.q);
         let good = match self.bare {
-            None => p.is_none() || self.blends || matches!(modal.motion, Some(Motion::Arc { .. })) && moves,
+            None => p.is_none() || self.blends || matches!(modal.motion, Some(ModalMotion::Arc { .. })) && moves,
             Some(Bare::Call | Bare::Unscaled | Bare::Dwell | Bare::Square) => p.is_none(),
             Some(Bare::Precision) => p == Some(10_000.0) || p == Some(0.0),
             Some(Bare::Ahead) => p == Some(1.0) || p == Some(0.0),

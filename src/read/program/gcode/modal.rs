@@ -4,11 +4,11 @@ use super::frames::Frames;
 use super::{LineWords, axes};
 use crate::artifact::program::{LengthOffset, Setting};
 use crate::geometry::Vector;
-use crate::read::program::block::{Arc, Block, Centre as ArcCentre, Course, Destination, Feed, RotaryWay};
+use crate::read::program::block::{Arc, Block, Centre as ArcCentre, Destination, Feed, Interpolation, RotaryWay};
 
 /// How a line goes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Motion {
+pub(super) enum ModalMotion {
     Rapid,
     Straight,
     Polynomial,
@@ -61,7 +61,7 @@ pub(super) struct Modal {
     pub siemens: bool,
     /// Something has been said: no program may begin any more.
     pub begun: bool,
-    pub motion: Option<Motion>,
+    pub motion: Option<ModalMotion>,
     pub plane: Plane,
     /// `G90.1`: centres of arcs are places.
     pub centres: bool,
@@ -99,7 +99,7 @@ impl Modal {
     pub fn block(
         &mut self,
         line: usize,
-        motion: Option<Motion>,
+        motion: Option<ModalMotion>,
         said: LineWords,
     ) -> std::result::Result<Option<Block>, String> {
         if let Some(f) = said.feed {
@@ -112,17 +112,17 @@ impl Modal {
         let feed = self.feed(motion, said.feed)?;
         let place = self.place(motion, &said)?;
         let course = match motion {
-            Motion::Polynomial => Course::Bent(axes::bend(&said, self.with_path)?),
-            Motion::Arc { clockwise } => Course::Arc(self.arc(clockwise, &said)?),
-            Motion::Rapid | Motion::Straight if said.radius.is_some() || said.turns.is_some() => {
+            ModalMotion::Polynomial => Interpolation::Bent(axes::bend(&said, self.with_path)?),
+            ModalMotion::Arc { clockwise } => Interpolation::Arc(self.arc(clockwise, &said)?),
+            ModalMotion::Rapid | ModalMotion::Straight if said.radius.is_some() || said.turns.is_some() => {
                 return Err("words of an arc without G2 or G3".into());
             }
-            Motion::Rapid | Motion::Straight => Course::Straight,
+            ModalMotion::Rapid | ModalMotion::Straight => Interpolation::Straight,
         };
         let usual = if self.steps { RotaryWay::By } else { RotaryWay::To };
         let [point_ways, ways] = said.ways.map(|of| of.map(|way| way.unwrap_or(usual)));
         let steps = point_ways.map(|way| way == RotaryWay::By);
-        if said.machine && matches!(course, Course::Arc(_)) {
+        if said.machine && matches!(course, Interpolation::Arc(_)) {
             return Err("an arc in positions of the axes is not read".into());
         }
         if said.machine && said.point.iter().zip(steps).any(|(word, step)| word.is_some() && step) {
@@ -211,9 +211,9 @@ impl Modal {
         }
     }
 
-    fn feed(&self, motion: Motion, said: Option<f64>) -> std::result::Result<Feed, String> {
+    fn feed(&self, motion: ModalMotion, said: Option<f64>) -> std::result::Result<Feed, String> {
         let feed = match (motion, self.inverse, said, self.feed) {
-            (Motion::Rapid, ..) => Feed::Rapid,
+            (ModalMotion::Rapid, ..) => Feed::Rapid,
             (_, true, Some(f), _) => Feed::PerMove(f),
             (_, true, None, _) => return Err("under G93 every line needs its own F".into()),
             (_, false, _, Some(f)) => Feed::PerMinute(f),
@@ -225,15 +225,15 @@ impl Modal {
         }
     }
 
-    fn place(&self, motion: Motion, said: &LineWords) -> std::result::Result<Destination, String> {
+    fn place(&self, motion: ModalMotion, said: &LineWords) -> std::result::Result<Destination, String> {
         let [ijk, abc3] = [said.ijk, said.abc3].map(|v| v.iter().any(Option::is_some));
-        if (!ijk || matches!(motion, Motion::Arc { .. })) && !abc3 {
+        if (!ijk || matches!(motion, ModalMotion::Arc { .. })) && !abc3 {
             return Ok(Destination::Words { point: said.point, rotary: said.rotary });
         }
-        if motion == Motion::Polynomial {
+        if motion == ModalMotion::Polynomial {
             return Err("vectors under POLY are not read".into());
         }
-        if matches!(motion, Motion::Arc { .. }) {
+        if matches!(motion, ModalMotion::Arc { .. }) {
             return Err("vectors along an arc are not read".into());
         }
         if ijk && (abc3 || self.centre != Centre::Vectors) {

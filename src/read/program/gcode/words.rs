@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 /// A word of a line.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Word<'a> {
+pub(super) struct CodeWord<'a> {
     /// Letter or name, in capitals.
     pub address: &'a str,
     /// What follows it, in capitals, without blanks.
@@ -31,7 +31,7 @@ impl Constants {
     }
 }
 
-impl Word<'_> {
+impl CodeWord<'_> {
     /// The value of the word.
     pub fn number(&self) -> Result<f64, String> {
         self.number_of(&self.value)
@@ -105,8 +105,8 @@ pub(super) fn words<'a>(
     upper: &'a str,
     constants: &'a Constants,
     siemens: bool,
-) -> Result<Vec<Word<'a>>, String> {
-    let mut out: Vec<Word> = Vec::new();
+) -> Result<Vec<CodeWord<'a>>, String> {
+    let mut out: Vec<CodeWord> = Vec::new();
     // Whether the last word is a letter whose number may go on.
     let mut open = false;
     for token in upper.split_whitespace() {
@@ -114,12 +114,12 @@ pub(super) fn words<'a>(
         let at = token.as_ptr() as usize - upper.as_ptr() as usize;
         let raw = &code[at..at + token.len()];
         if let Some((address, value)) = token.split_once('=') {
-            out.push(Word { address, value: value.to_owned(), raw, constants });
+            out.push(CodeWord { address, value: value.to_owned(), raw, constants });
             open = false;
             continue;
         }
         if token.contains('(') || long(token) {
-            out.push(Word { address: token, value: String::new(), raw, constants });
+            out.push(CodeWord { address: token, value: String::new(), raw, constants });
             open = false;
             continue;
         }
@@ -140,7 +140,7 @@ pub(super) fn words<'a>(
             let next = token[from + 1..].find(|c: char| c.is_ascii_alphabetic());
             let end = next.map_or(token.len(), |e| from + 1 + e);
             let value = token[from + 1..end].to_owned();
-            out.push(Word { address: &token[from..=from], value, raw: &raw[from..end], constants });
+            out.push(CodeWord { address: &token[from..=from], value, raw: &raw[from..end], constants });
             (from, open) = (end, true);
         }
     }

@@ -1,7 +1,7 @@
 //! Blocks of Klartext that move: `L`, `LN`, `C` about the pole of `CC`, `CR`.
 
 use super::{HeidenhainReader, Read};
-use crate::read::program::block::{Arc, Block, Centre, Course, Destination, Feed, RotaryWay};
+use crate::read::program::block::{Arc, Block, Centre, Destination, Feed, Interpolation, RotaryWay};
 
 /// Words of a block: components of the tool axis and of the surface's normal, the point, rotary
 /// axes.
@@ -110,11 +110,11 @@ impl HeidenhainReader {
     }
 
     /// How the block goes: arcs are in the plane across the tool axis Z.
-    fn course(&self, kind: &str, said: &Said) -> Read<Course> {
+    fn course(&self, kind: &str, said: &Said) -> Read<Interpolation> {
         let is_arc = kind == "C" || kind == "CR";
         if !is_arc {
             let plain = said.radius.is_none() && said.clockwise.is_none();
-            return if plain { Ok(Course::Straight) } else { Err("words of an arc in a straight block".into()) };
+            return if plain { Ok(Interpolation::Straight) } else { Err("words of an arc in a straight block".into()) };
         }
         if said.machine || said.rapid || said.values[0].iter().chain(&said.values[1]).any(Option::is_some) {
             return Err("an arc with M91, FMAX or a vector is not read".into());
@@ -126,7 +126,7 @@ impl HeidenhainReader {
             _ => return Err("C before its centre (CC) is said".into()),
         };
         let clockwise = said.clockwise.ok_or("an arc without DR+ or DR-")?;
-        Ok(Course::Arc(Arc { centre, axis: [0.0, 0.0, if clockwise { -1.0 } else { 1.0 }], turns: 0 }))
+        Ok(Interpolation::Arc(Arc { centre, axis: [0.0, 0.0, if clockwise { -1.0 } else { 1.0 }], turns: 0 }))
     }
 
     /// `CC X+10 Y+20`.

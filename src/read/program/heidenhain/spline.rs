@@ -1,7 +1,7 @@
 //! Blocks of Klartext that go along cubic polynomials: `SPL`.
 
 use super::{HeidenhainReader, Read};
-use crate::read::program::block::{Bend, Course, Destination};
+use crate::read::program::block::{Bend, Destination, Interpolation};
 
 impl HeidenhainReader {
     /// One `SPL` block: `X(t) = K3X t³ + K2X t² + K1X t + X`, `t` from 1 to 0, and likewise of
@@ -50,7 +50,7 @@ impl HeidenhainReader {
                 }
             }
         }
-        block.course = Course::Bent(bend);
+        block.course = Interpolation::Bent(bend);
         Ok(())
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn element(program: Option<&Program>) -> Result<String> {
 
 /// Letters between numbers, and numbers.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-enum Piece<'a> {
+enum LinePiece<'a> {
     Letters(&'a str),
     /// A number of the column.
     Number(usize),
@@ -79,12 +79,12 @@ fn data(program: &Program) -> Result<Value> {
     for cut in &shown {
         let mut frame = Vec::new();
         for (letters, number) in pieces(texts[cut.line - 1]) {
-            frame.push(Piece::Letters(letters));
+            frame.push(LinePiece::Letters(letters));
             let Some((value, decimals, plus)) = number else { continue };
             let column = columns.number(Column { letters, decimals, plus });
             numbers.resize_with(numbers.len().max(column + 1), Vec::new);
             numbers[column].push(value);
-            frame.push(Piece::Number(column));
+            frame.push(LinePiece::Number(column));
         }
         frame_of.push(frames.number(frame) as f64);
     }
@@ -95,9 +95,9 @@ fn data(program: &Program) -> Result<Value> {
         .zip(numbers)
         .map(|(c, numbers)| json!([c.decimals, c.plus, pack.list(0, numbers)]))
         .collect();
-    let piece = |p: &Piece| match p {
-        Piece::Letters(l) => json!(l),
-        Piece::Number(column) => json!(column),
+    let piece = |p: &LinePiece| match p {
+        LinePiece::Letters(l) => json!(l),
+        LinePiece::Number(column) => json!(column),
     };
     let frames: Vec<Vec<Value>> = frames.all().iter().map(|f| f.iter().map(piece).collect()).collect();
     Ok(json!({

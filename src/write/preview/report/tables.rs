@@ -63,27 +63,27 @@ pub(super) fn checks(input: &ReportInput) -> String {
         out.push_str("<p>Nothing was checked in this run.</p></section>\n");
         return out;
     };
-    out.push_str(&check_table("Table of checks", &input.verify, "/checks", &report.checks, Words::PLAN));
+    out.push_str(&check_table("Table of checks", &input.verify, "/checks", &report.checks, PathWords::PLAN));
     out.push_str("</section>\n");
     out
 }
 
 /// What the parts and the places of a path are called.
 #[derive(Clone, Copy)]
-pub(super) struct Words {
+pub(super) struct PathWords {
     /// Part of the path, that is counted from 1.
     pub(super) turn: &'static str,
     /// Place on the path.
     pub(super) location: &'static str,
 }
 
-impl Words {
+impl PathWords {
     /// A path of turns.
-    pub(super) const PLAN: Words = Words { turn: "turn", location: "location" };
+    pub(super) const PLAN: PathWords = PathWords { turn: "turn", location: "location" };
 }
 
 /// A table of checks, whose figures stand in a list of a file.
-pub(super) fn check_table(label: &str, file: &File, list: &str, checks: &[Check], words: Words) -> String {
+pub(super) fn check_table(label: &str, file: &File, list: &str, checks: &[Check], words: PathWords) -> String {
     let mut body = String::new();
     for (k, c) in checks.iter().enumerate() {
         let (class, word) = if c.passed { ("good", "✓ passed") } else { ("bad", "✗ failed") };
@@ -110,7 +110,7 @@ pub(super) fn check_table(label: &str, file: &File, list: &str, checks: &[Check]
     table(label, &head, &body)
 }
 
-fn place(c: &Check, Words { turn, location }: Words) -> String {
+fn place(c: &Check, PathWords { turn, location }: PathWords) -> String {
     let mut words = Vec::new();
     if let Some(t) = c.turn {
         words.push(format!("{turn} {}", turn_number(t)));

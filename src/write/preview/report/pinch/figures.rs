@@ -7,13 +7,13 @@ use super::PinchReport;
 use crate::artifact::report::Check;
 use crate::write::preview::report::figures::{card, joined, minutes, row, table};
 use crate::write::preview::report::sheet::{self, Zero, list};
-use crate::write::preview::report::tables::{self, Words};
+use crate::write::preview::report::tables::{self, PathWords};
 use crate::write::preview::report::{escape, figure, number};
 
 /// Lengths that are rounding and nothing else are shorter, mm.
 const NOTHING_MM: f64 = 1e-6;
 /// What rows and their places are called.
-const ROWS: Words = Words { turn: "row", location: "place" };
+const ROWS: PathWords = PathWords { turn: "row", location: "place" };
 
 fn value(input: &PinchReport, pointer: &str) -> f64 {
     input.figures.json.pointer(pointer).and_then(Value::as_f64).unwrap_or(f64::NAN)
