@@ -292,8 +292,9 @@ fn a_program_is_scheduled_anew_and_the_rest_of_it_stays() {
         let said = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
         (out.status.code(), said)
     };
-    let (code, said) = run("theirs.h", &model, "new", &[]);
+    let (code, said) = run("theirs.h", &model, "new", &["--for", "linuxcnc,heidenhain"]);
     assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("anew.program.ngc for LinuxCNC: 1 operation"), "{said}");
     assert!(said.contains("1 of 1 scheduled anew") && said.contains("after"), "{said}");
     let new = std::fs::read(dir.path().join("new/theirs.h")).expect("the new program");
     let report = std::fs::read_to_string(dir.path().join("new/reschedule.json")).expect("the report");
@@ -324,10 +325,18 @@ fn a_program_is_scheduled_anew_and_the_rest_of_it_stays() {
         let found = std::fs::read_to_string(dir.path().join("found.json")).expect("a report");
         let found: serde_json::Value = serde_json::from_str(&found).expect("JSON");
         let checks = found["checks"].as_array().expect("checks").clone();
-        checks.iter().filter(|c| c["passed"] == false).map(|c| c["id"].to_string()).collect::<Vec<_>>()
+        checks.iter().filter(|c| c["passed"] == false).map(|c| c["name"].to_string()).collect::<Vec<_>>()
     };
-    let (before, after) = (judged("theirs.h"), judged("new/theirs.h"));
-    assert!(after.iter().all(|c| before.contains(c)), "{before:?} {after:?}");
+    let before = judged("theirs.h");
+    for new in ["new/theirs.h", "new/anew.program.ngc", "new/anew.program.h"] {
+        let after = judged(new);
+        assert!(after.iter().all(|c| before.contains(c)), "{new}: {before:?} {after:?}");
+    }
+    let made = report["programs"].as_array().expect("programs");
+    let failed = made.iter().flat_map(|p| p["failed"].as_array().expect("names")).map(ToString::to_string);
+    assert!(made.len() == 2 && failed.clone().all(|f| before.contains(&f)), "{:?}", failed.collect::<Vec<_>>());
+    let (code, said) = run("theirs.h", &model, "twice", &["--for", "iso,iso"]);
+    assert!(code == Some(2) && said.contains("would both write") && !dir.path().join("twice").exists(), "{said}");
     // What cannot be done leaves nothing.
     let (code, said) = run("theirs.h", &model, ".", &[]);
     assert!(code == Some(2) && said.contains("would take the place of theirs.h"), "{said}");

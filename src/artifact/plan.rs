@@ -73,18 +73,6 @@ impl Plan {
         before.rows(cone_in, Stretch::LeadIn).chain(path).chain(after.rows(cone_out, Stretch::LeadOut))
     }
 
-    /// Where the machine's axes stand in a row of [`Plan::rows`]; `None` where there is none.
-    pub fn axes_at(&self, row: usize) -> Option<&[f64]> {
-        let of_lead = |lead: &Lead| lead.centres.len().min(lead.theta.len()).min(lead.motion.t_s.len());
-        let before = of_lead(&self.leads[0]);
-        let Some(location) = row.checked_sub(before) else { return self.leads[0].motion.position.get(row) };
-        let n = self.toolpath.locations.len().min(self.motion.t_s.len()).min(self.schedule.theta.len());
-        match location.checked_sub(n) {
-            Some(after) => self.leads[1].motion.position.get(after).filter(|_| after < of_lead(&self.leads[1])),
-            None => self.motion.position.get(location),
-        }
-    }
-
     /// The places whose speed is the feed, row by row as [`Plan::rows`]: the ball's centre; of a
     /// cutter with a corner, the centre of that, over the contact.
     pub fn feed_points(&self) -> Vec<Point> {

@@ -83,7 +83,7 @@ pub enum Verb {
     Verify(Verify),
     /// Schedule the tool axis of a program that others wrote anew, and write it back.
     #[command(
-        after_help = "Examples:\n  bladewright reschedule theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml -o out/new\n  bladewright reschedule old.cls --part blade.step --tool out/b/job.resolved.toml --cad --schedule optimal -o out/new\n\nBall centres stay as they are; only lines that cut change. The folder gets the program under its\nown name, reschedule.json and reschedule.svg."
+        after_help = "Examples:\n  bladewright reschedule theirs.mpf --part blade.step --tool ball6.toml --machine mill.toml -o out/new\n  bladewright reschedule old.cls --part blade.step --tool out/b/job.resolved.toml --cad --schedule optimal -o out/new\n  bladewright reschedule theirs.apt --part blade.step --tool ball6.toml --for siemens,linuxcnc -o out/new\n\nBall centres stay as they are; only lines that cut change. The folder gets the program under its\nown name, reschedule.json and reschedule.svg."
     )]
     Reschedule(Reschedule),
     /// Write the NC program of a finished run for a control, or of several runs as operations of
@@ -564,6 +564,13 @@ pub struct Reschedule {
     /// Deepest gouge that the audits allow, mm.
     #[arg(long, value_name = "MM", value_parser = parse_positive, default_value_t = VerifySettings::default().gouge_mm)]
     pub gouge: f64,
+    /// Write the new program whole for these controls besides, with approach and retract of our
+    /// own: siemens,linuxcnc.
+    #[arg(long = "for", value_name = "CONTROLS", value_delimiter = ',', value_parser = words::parser::<Control>())]
+    pub controls: Vec<Control>,
+    /// The same with an own post file (TOML); may be given more than once.
+    #[arg(long, value_name = "FILE")]
+    pub post_file: Vec<PathBuf>,
     /// Folder for the new program, the report and the plot.
     #[arg(short, long, value_name = "DIR")]
     pub out: PathBuf,

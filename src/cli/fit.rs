@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::observe::Observer;
 use crate::read::program::Bench;
 use crate::register::{self, Fit, FitOptions};
+use crate::run::anew::WrittenAnew;
 
 /// What a verb found with the frame that it was found in, as reports have it.
 #[derive(serde::Serialize)]
@@ -17,12 +18,20 @@ pub struct Fitted<'a, T> {
     /// `None`: the frame was given.
     #[serde(skip_serializing_if = "Option::is_none")]
     fit: Option<&'a Fit>,
+    /// Programs that were written for other controls.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    programs: &'a [WrittenAnew],
 }
 
 impl<'a, T> Fitted<'a, T> {
     /// With the frame.
     pub fn new(found: &'a T, fit: Option<&'a Fit>) -> Self {
-        Fitted { found, fit }
+        Fitted { found, fit, programs: &[] }
+    }
+
+    /// With programs for other controls.
+    pub fn with_programs(self, programs: &'a [WrittenAnew]) -> Self {
+        Fitted { programs, ..self }
     }
 }
 

@@ -9,16 +9,20 @@ use super::progress::Terminal;
 use super::{inspect, theirs};
 use crate::artifact::schedule::ThetaRow;
 use crate::error::{Error, Result, Stage};
+use crate::files;
 use crate::machine::Machine;
 use crate::observe::{Observer, timed};
+use crate::plan::{different_files, post_name, program_name};
 use crate::read::model;
 use crate::read::program::Bench;
 use crate::register::Fit;
 use crate::reschedule::{self, RescheduleOptions, Rescheduled, StretchReport};
+use crate::run::anew::{self, WrittenAnew};
 use crate::run::manifest::Clock;
 use crate::run::{RunFolder, inputs};
 use crate::verify::audit::AuditOptions;
 use crate::write::draw;
+use crate::write::post::{Dialect, PostOptions};
 
 /// Stretches that are printed; all are in the report.
 const TOLD: usize = 12;
@@ -29,15 +33,26 @@ pub fn run(args: &Reschedule, quiet: bool) -> Result<u8> {
     let clock = Clock::new(&terminal);
     let ended = rescheduled(args, &clock);
     terminal.finish();
-    let (made, fit, why) = ended?;
+    let Ended { made, anew, fit, why } = ended?;
     sayln!("program    {}: {why}", args.program.display());
     fit.iter().for_each(fit::tell);
     tell(&made);
+    anew.iter().for_each(tell_anew);
     told_times(&clock);
     Ok(0)
 }
 
-fn rescheduled(args: &Reschedule, observer: &dyn Observer) -> Result<(Rescheduled, Option<Fit>, String)> {
+/// What came of it.
+struct Ended {
+    made: Rescheduled,
+    /// The same for other controls.
+    anew: Vec<WrittenAnew>,
+    fit: Option<Fit>,
+    /// How the program was read.
+    why: String,
+}
+
+fn rescheduled(args: &Reschedule, observer: &dyn Observer) -> Result<Ended> {
     let name = args.program.file_name().map(|n| n.to_string_lossy().into_owned());
     let name = name.ok_or_else(|| Error::usage(Stage::Job, format!("{} is no file", args.program.display())))?;
     let same = |a: &Path, b: &Path| a.canonicalize().ok().zip(b.canonicalize().ok()).is_some_and(|(a, b)| a == b);
@@ -46,6 +61,7 @@ fn rescheduled(args: &Reschedule, observer: &dyn Observer) -> Result<(Reschedule
         return Err(Error::usage(Stage::Job, what).advise("give another folder with -o"));
     }
     let text = Text::of(&theirs::bytes(&args.program)?);
+    let dialects = dialects(args)?;
     let (language, why) = theirs::language(&args.program, &args.manner, &text.lines)?;
     let mut folder = RunFolder::begin(&args.out)?;
     let tool = inputs::tool(&args.tool)?;
@@ -55,16 +71,58 @@ fn rescheduled(args: &Reschedule, observer: &dyn Observer) -> Result<(Reschedule
     let zero = theirs::zero(&args.manner, &blade);
     let mut benches = [Bench { language, zero, tool: &tool, machine: &machine }];
     let fit = fit::place((&args.manner, args.stock), &text.lines, &mut benches, &blade, observer)?;
-    let made = reschedule::reschedule(&text.lines, &blade, &benches[0], &options(args), observer)?;
+    let options = options(args);
+    let made = reschedule::reschedule(&text.lines, &blade, &benches[0], &options, observer)?;
+    let audit = AuditOptions { stock_mm: made.stock_mm, ..options.audit };
+    let stem = args.program.file_stem().unwrap_or_default().to_string_lossy();
+    let post = PostOptions {
+        program_name: program_name(&stem),
+        part_file: args.part.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        part_hash: files::hash(&args.part, files::LONG).map_err(|e| unreadable(&args.part, e))?.1,
+        job: format!("{name}, its tool axis scheduled anew"),
+        ..PostOptions::default()
+    };
+    let new = (&made.text[..], &benches[0]);
+    let write = || anew::programs(new, &blade, &audit, &dialects, &post, observer);
+    let anew = timed(observer, Stage::Post, write)?;
     let named = made.stretches.iter().map(|s| (title(s), &s.theta[..]));
     let svg = draw::rescheduled_svg(&named.collect::<Vec<(String, &[ThetaRow])>>());
     folder.add(&name, text.bytes(&made.text))?;
-    folder.add_json("reschedule.json", &Fitted::new(&made, fit.as_ref()))?;
+    for other in &anew {
+        folder.add(&other.file, other.program.text.as_bytes())?;
+    }
+    folder.add_json("reschedule.json", &Fitted::new(&made, fit.as_ref()).with_programs(&anew))?;
     folder.add("reschedule.svg", svg)?;
     for file in folder.finish()? {
         sayln!("{}", file.display());
     }
-    Ok((made, fit, why))
+    Ok(Ended { made, anew, fit, why })
+}
+
+/// The dialects that the program is to be written in besides; no two have the same file.
+fn dialects(args: &Reschedule) -> Result<Vec<Dialect>> {
+    let built_in = args.controls.iter().map(|c| Ok((c.to_string(), Dialect::built_in(*c)?)));
+    let own = args.post_file.iter().map(|f| Ok((post_name(f), inputs::dialect(f)?)));
+    let all = built_in.chain(own).collect::<Result<Vec<_>>>()?;
+    different_files(&all)?;
+    Ok(all.into_iter().map(|(_, dialect)| dialect).collect())
+}
+
+fn unreadable(path: &Path, e: std::io::Error) -> Error {
+    Error::io(Stage::Model, format!("cannot read {}: {e}", path.display())).caused_by(e)
+}
+
+/// What became of the program for another control.
+fn tell_anew(made: &WrittenAnew) {
+    let WrittenAnew { file, control, lines, time_s, operations, left_out, failed, .. } = made;
+    let of = if *operations == 1 { "1 operation".into() } else { format!("{operations} operations") };
+    sayln!("written    {file} for {control}: {of}, {lines} lines, {time_s:.1} s");
+    if *left_out > 0 {
+        sayln!("           {left_out} runs of feed moves come nowhere to the part, they are left out");
+    }
+    if !failed.is_empty() {
+        sayln!("           its header says NOT VERIFIED: the program it is made from fails {}", failed.join(", "));
+    }
 }
 
 fn options(args: &Reschedule) -> RescheduleOptions {

@@ -92,6 +92,8 @@ pub enum LeadReason {
     NoDirection,
     /// The program goes on within the path.
     WithinPath,
+    /// The program that the path is taken from comes and goes within it.
+    OfProgram,
     /// No arc that was tried is free.
     NoRoom {
         /// What is in the way of the first, that which was asked for.
@@ -111,6 +113,7 @@ impl fmt::Display for LeadReason {
             LeadReason::NoPath => f.write_str("the path has no locations"),
             LeadReason::NoDirection => f.write_str("the path has no direction at its end"),
             LeadReason::WithinPath => f.write_str("the program goes on within the path"),
+            LeadReason::OfProgram => f.write_str("the program it is taken from comes and goes within the path"),
             LeadReason::NoRoom { first } => write!(f, "there is no room for an arc, with that asked for {first}"),
             LeadReason::Another { first } => write!(f, "with the one tried first {first}"),
         }

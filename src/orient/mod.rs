@@ -9,10 +9,10 @@
 //! * *Reference planes* ([`reference_planes`]): Chen, Xu and Tang, Journal of Computational Design
 //!   and Engineering 2 (2015) 197–205, equation 2.1. The plane's axes are the cone with lean 0
 //!   about `radial × normal`.
-//! * *Five axes*: a grid of directions about the rotor axis ([`DirectionGrid`]), of which closed arcs say
-//!   what is free ([`free_cells`]); the way through it that turns least and keeps away from what is
-//!   taken ([`least_way`]). `plan/` then lets latitude and longitude follow smooth curves in walls
-//!   that are exact: the one with the other held, in turn.
+//! * *Five axes*: a grid of directions about the rotor axis ([`DirectionGrid`]), of which closed
+//!   arcs say what is free ([`free_cells`]); the way through it that turns least and keeps away
+//!   from what is taken ([`least_way`]). `plan/` then lets latitude and longitude follow smooth
+//!   curves in walls that are exact: the one with the other held, in turn.
 //!
 //! **Guarantees.** [`least_way`] is the least of all ways over the grid. That the tool is clear is
 //! not said here: `channel/` and the checks look at the cones that come out.

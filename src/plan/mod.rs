@@ -332,15 +332,7 @@ impl Setup {
     /// # Errors
     /// Kind `Usage`, naming both controls or post files.
     pub fn check_program_names(&self) -> Result<()> {
-        let dialects = self.dialects()?;
-        for (k, (name, dialect)) in dialects.iter().enumerate() {
-            let file = dialect.file_name();
-            if let Some((other, _)) = dialects[..k].iter().find(|(_, d)| d.file_name() == file) {
-                return Err(Error::usage(Stage::Post, format!("{other} and {name} would both write {file}"))
-                    .advise("give the post file another name in `file`, or leave one of the two out"));
-            }
-        }
-        Ok(())
+        different_files(&self.dialects()?)
     }
 
     /// A plan judged by all checks.
@@ -370,6 +362,21 @@ impl Setup {
     }
 }
 
+/// No two of the dialects, with the names of their controls or files, write the same file.
+///
+/// # Errors
+/// Kind `Usage`, naming both.
+pub fn different_files(dialects: &[(String, Dialect)]) -> Result<()> {
+    for (k, (name, dialect)) in dialects.iter().enumerate() {
+        let file = dialect.file_name();
+        if let Some((other, _)) = dialects[..k].iter().find(|(_, d)| d.file_name() == file) {
+            return Err(Error::usage(Stage::Post, format!("{other} and {name} would both write {file}"))
+                .advise("give the post file another name in `file`, or leave one of the two out"));
+        }
+    }
+    Ok(())
+}
+
 /// What wrote a program, in the manifest: an own post file by its name, wherever it lies.
 pub fn post_name(file: &Path) -> String {
     file.file_name().unwrap_or_default().to_string_lossy().into_owned()
@@ -385,7 +392,7 @@ fn reach(job: &Job, blade: &Blade) -> ToolReach {
 }
 
 /// A name that every control accepts: capitals, digits and underscores, beginning with a letter.
-fn program_name(name: &str) -> String {
+pub fn program_name(name: &str) -> String {
     let clean: String =
         name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' }).take(24).collect();
     if clean.starts_with(|c: char| c.is_ascii_alphabetic()) { clean } else { format!("B_{clean}") }

@@ -6,6 +6,7 @@
 //! the folder as it was.
 
 pub mod again;
+pub mod anew;
 mod checking;
 pub mod compare;
 mod course;

@@ -37,12 +37,14 @@ mod checks;
 mod cutter_tests;
 pub(super) mod legs;
 mod line_check;
+mod plans;
 mod report;
 pub(super) mod scallop;
 #[cfg(test)]
 mod tests;
 
 pub use line_check::{LineCheck, LineRun};
+pub use plans::{ProgramPlans, as_plans};
 pub use report::Audit;
 
 use std::cell::RefCell;

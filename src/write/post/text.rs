@@ -1,6 +1,7 @@
 //! Lines of a program: comments in plain ASCII.
 
 use crate::artifact::program::{CutLine, CycleTime};
+use crate::artifact::toolpath::PathKind;
 use crate::error::{Error, Result, Stage};
 
 use super::OperationRun;
@@ -190,9 +191,13 @@ pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, line
     for (i, h) in t.holder.iter().enumerate() {
         lines.comment(&format!("Holder {} R {:.3} mm, {:.3} mm long", i + 1, h.radius_mm, h.length_mm));
     }
+    let what = match path.kind {
+        PathKind::Given => "as given".to_owned(),
+        PathKind::HubRows => format!("{} rows", path.turns.len()),
+        _ => format!("helix of {} turns", path.turns.len()),
+    };
     lines.comment(&format!(
-        "Path     helix of {} turns, {} locations, {:.1} mm, blade axis x {:.3} to {:.3} mm",
-        path.turns.len(),
+        "Path     {what}, {} locations, {:.1} mm, blade axis x {:.3} to {:.3} mm",
         path.locations.len(),
         path.locations.last().map_or(0.0, |l| l.s_mm),
         path.region_x_mm[0],
@@ -215,7 +220,12 @@ pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, line
     if path.stock_mm > 0.0 {
         lines.comment(&format!("Stock    {} mm stay on the part", path.stock_mm));
     }
-    lines.comment(&format!("Scallop  {} mm asked for, chord tolerance {} mm", path.scallop_mm, path.chord_mm));
+    match path.kind {
+        PathKind::Given => lines.comment(&format!("Chords   within {} mm", path.chord_mm)),
+        _ => {
+            lines.comment(&format!("Scallop  {} mm asked for, chord tolerance {} mm", path.scallop_mm, path.chord_mm));
+        }
+    }
     lines.comment(&format!("Time     {:.1} s of cutting", run.plan.motion.time_s));
     lines.comment(&format!(
         "Cycle    {:.1} s: approach {:.1}, lead-in {:.1}, cutting {:.1}, lead-out {:.1}, retract {:.1}, unwinding {:.1}",

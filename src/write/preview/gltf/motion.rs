@@ -176,7 +176,7 @@ pub(super) fn lean(b_rad: f64) -> UnitQuaternion<f64> {
 /// The part's place on the machine in a row of the plan: where its axes stand, where each location
 /// has a cone of its own; else as [`crate::machine::Machine::shown_part`] shows it.
 fn part_on_machine(plan: &Plan, scene: &Scene, stand: &Stand, row: usize) -> Rigid {
-    let at = plan.axes_at(row).filter(|_| plan.toolpath.cones.same().is_none());
+    let at = plan.axes().nth(row).filter(|_| plan.toolpath.cones.same().is_none());
     at.map_or_else(|| scene.machine.shown_part(about_the_blade(stand)), |at| scene.machine.part_at(at))
 }
 
@@ -184,7 +184,7 @@ fn part_on_machine(plan: &Plan, scene: &Scene, stand: &Stand, row: usize) -> Rig
 fn scene_from_machine(plan: &Plan, scene: &Scene) -> Rigid {
     let mid = scene.blade.part.mesh.aabb().map_or(crate::geometry::Point::origin(), |b| b.min + (b.max - b.min) * 0.5);
     if plan.toolpath.cones.same().is_none()
-        && let Some(stand) = plan.stand(0)
+        && let Some(Row { stand, .. }) = plan.rows().next()
     {
         let at_first = part_on_machine(plan, scene, &stand, 0) * mid;
         return Rigid::from_parts((scene.blade.model_from_blade * mid - at_first).into(), UnitQuaternion::identity());
@@ -319,15 +319,5 @@ mod tests {
         let keys = Keys::of(&rows, 100.0, 2);
         let most = keys.rows.windows(2).map(|w| rows[w[1]].stand.theta - rows[w[0]].stand.theta).fold(0.0, f64::max);
         assert!(most <= MOST_TURNED_RAD + 1e-9 && keys.rows.len() > 90, "{most} {}", keys.rows.len());
-    }
-
-    #[test]
-    fn axes_of_a_row_are_those_of_its_lead_or_location() {
-        let plan = sample::with_leads(sample::plan(1, 40));
-        let [before, after] = plan.leads.each_ref().map(|l| &l.motion.position);
-        let all: Vec<&[f64]> = before.iter().chain(plan.motion.position.iter()).chain(after.iter()).collect();
-        assert!(before.len() > 2 && plan.rows().count() == all.len());
-        assert!(all.iter().enumerate().all(|(k, at)| plan.axes_at(k) == Some(*at)));
-        assert_eq!(plan.axes_at(all.len()), None);
     }
 }
