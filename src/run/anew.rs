@@ -159,6 +159,16 @@ mod tests {
     }
 
     #[test]
+    fn lines_take_the_time_that_axes_need() {
+        // 45° in no time at all: A turns by 180 degrees a second at most.
+        let fast = written(&THEIRS.replace("A75 F900", "A75 F900000"), &[Control::Iso]).unwrap();
+        assert!(fast[0].failed.is_empty(), "{fast:?}");
+        let cut: f64 = fast[0].program.cycles.iter().map(|c| c.cutting_s).sum();
+        let least = 60.0 * (190.0 / 500.0 + 180.0 / 600.0) + 0.25;
+        assert!((cut / least - 1.0).abs() < 1e-3, "{cut} s, {least} s");
+    }
+
+    #[test]
     fn a_part_that_turns_under_the_ball_is_followed_between_lines() {
         let (tool, machine, blade) = (sample::tool(), Machine::demo().unwrap(), sample::blade());
         let bench = Bench { language: ISO, zero: Zero::default(), tool: &tool, machine: &machine };

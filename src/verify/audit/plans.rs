@@ -5,7 +5,8 @@
 //!
 //! A run goes from one rapid to the next. Its rows are the ends of the lines, and places between
 //! them where the ball leaves the straight way, or θ the even one, by more than [`STRAIGHT_MM`]:
-//! the plan is the way that the program's own control takes. Each line takes the time that it took.
+//! the plan is the way that the program's own control takes. Each line takes the time that it took,
+//! or that its axes need where that is more: the machine would not have been faster.
 //! Rapids are left out, and so are runs that come nowhere to the part: the post comes to a run and
 //! leaves it along the tool axis. That there is room for these ways is checked here
 //! (`lead-gouge`, `lead-clearance`, `lead-holder-clearance`); they keep what the program keeps, or
@@ -14,7 +15,7 @@
 //! A program that fails a check gives plans that failed it.
 
 use super::legs::{Leg, LegKind, Legs};
-use super::{Audit, AuditOptions};
+use super::{Audit, AuditOptions, MovesSource};
 use crate::artifact::program::{Setting, TOUCHES_MM};
 use crate::artifact::schedule::Schedule;
 use crate::artifact::toolpath::{CutterLocation, PathKind, Turn};
@@ -61,10 +62,12 @@ pub fn as_plans(
     observer: &dyn Observer,
 ) -> Result<ProgramPlans> {
     bench.tool.ball_only("programs are written for another control")?;
-    let audit = super::audit(text, blade, bench, options, observer)?;
     let script = program::read(text, bench.language)?;
-    let moves = program::follow(&script.blocks, bench)?;
+    let mut moves = program::follow(&script.blocks, bench)?;
     let legs = Legs::new(&moves, bench)?;
+    slowed(&mut moves, &legs, bench);
+    let source = MovesSource { text, script: &script, blocks: &script.blocks, moves: &moves, last: true };
+    let (audit, _) = super::audit_moves(&source, blade, bench, options, observer)?;
     let runs = runs(&legs, &moves, bench);
     let part = Allowed::new(&blade.part, options.stock_mm);
     let touches = |run: &&Run| {
@@ -95,6 +98,25 @@ pub fn as_plans(
         left_out: runs.len() - cutting.len(),
         audit,
     })
+}
+
+/// Gives lines that ask an axis for more than it can the time that the axis needs.
+fn slowed(moves: &mut [Moved], legs: &Legs, bench: &Bench) {
+    let (tool, machine) = (bench.tool, bench.machine);
+    let mut longer = vec![1.0f64; moves.len()];
+    for leg in legs.legs.iter().filter(|l| l.kind == LegKind::Cut) {
+        let Some((m, most)) = moves.get(leg.moved).zip(longer.get_mut(leg.moved)) else { continue };
+        let time_s = m.seconds.unwrap_or(0.0) * (leg.share[1] - leg.share[0]);
+        let [from, to] = leg.share.map(|f| m.axes(f, tool, machine));
+        let needs = machine.axes().iter().enumerate().map(|(k, axis)| (to[k] - from[k]).abs() / axis.limits.velocity);
+        let needs_s = needs.fold(0.0, f64::max);
+        if time_s > 0.0 && needs_s > time_s {
+            *most = most.max(needs_s / time_s);
+        }
+    }
+    for (m, longer) in moves.iter_mut().zip(longer) {
+        m.seconds = m.seconds.map(|s| s * longer);
+    }
 }
 
 /// What the ways to a run and off it are to keep: what plans keep, or what the program does where
