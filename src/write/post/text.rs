@@ -159,7 +159,7 @@ pub(super) fn title(run: &OperationRun, lines: &mut Lines, control: &str) {
 
 /// The comments at the head of every program, under its title.
 pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, lines: &mut Lines) {
-    let (o, t, path) = (run.options, run.tool, &run.plan.toolpath);
+    let (o, t) = (run.options, run.tool);
     lines.comment(&format!("Part     {}  file {}", run.blade.name, o.part_file));
     if let Some([blade, of]) = o.blade {
         lines.comment(&format!("Blade    {blade} of {of} of the wheel"));
@@ -191,6 +191,31 @@ pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, line
     for (i, h) in t.holder.iter().enumerate() {
         lines.comment(&format!("Holder {} R {:.3} mm, {:.3} mm long", i + 1, h.radius_mm, h.length_mm));
     }
+    path_and_leads(run, lines);
+    lines.comment(&format!("Time     {:.1} s of cutting", run.plan.motion.time_s));
+    lines.comment(&format!(
+        "Cycle    {:.1} s: approach {:.1}, lead-in {:.1}, cutting {:.1}, lead-out {:.1}, retract {:.1}, unwinding {:.1}",
+        cycle.total_s,
+        cycle.approach_s,
+        cycle.lead_in_s,
+        cycle.cutting_s,
+        cycle.lead_out_s,
+        cycle.retract_s,
+        cycle.unwinding_s
+    ));
+    lines.comment("         [without tool change and the way to over the part]");
+    checks(run, lines);
+    notes(run, lines);
+    if beyond_mm > 0.0 {
+        lines.comment("CAUTION  the least tolerance that the control can keep is more than the checks leave of the gouge limit: with it");
+        lines.comment(&format!("         the part may be cut {beyond_mm:.6} mm deeper than that."));
+    }
+    lines.comment(&"=".repeat(78));
+}
+
+/// What the tool runs along.
+fn path_and_leads(run: &OperationRun, lines: &mut Lines) {
+    let (o, path) = (run.options, &run.plan.toolpath);
     let what = match path.kind {
         PathKind::Given => "as given".to_owned(),
         PathKind::HubRows => format!("{} rows", path.turns.len()),
@@ -226,25 +251,6 @@ pub(super) fn header(run: &OperationRun, cycle: &CycleTime, beyond_mm: f64, line
             lines.comment(&format!("Scallop  {} mm asked for, chord tolerance {} mm", path.scallop_mm, path.chord_mm));
         }
     }
-    lines.comment(&format!("Time     {:.1} s of cutting", run.plan.motion.time_s));
-    lines.comment(&format!(
-        "Cycle    {:.1} s: approach {:.1}, lead-in {:.1}, cutting {:.1}, lead-out {:.1}, retract {:.1}, unwinding {:.1}",
-        cycle.total_s,
-        cycle.approach_s,
-        cycle.lead_in_s,
-        cycle.cutting_s,
-        cycle.lead_out_s,
-        cycle.retract_s,
-        cycle.unwinding_s
-    ));
-    lines.comment("         [without tool change and the way to over the part]");
-    checks(run, lines);
-    notes(run, lines);
-    if beyond_mm > 0.0 {
-        lines.comment("CAUTION  the least tolerance that the control can keep is more than the checks leave of the gouge limit: with it");
-        lines.comment(&format!("         the part may be cut {beyond_mm:.6} mm deeper than that."));
-    }
-    lines.comment(&"=".repeat(78));
 }
 
 fn checks(run: &OperationRun, lines: &mut Lines) {
