@@ -70,6 +70,10 @@ const WAITING: f64 = 2.0;
 const LEFT_OUT: [usize; 9] = [0, 1, 3, 5, 8, 12, 18, 27, 40];
 /// ... as long as this share of the mean way from the start height down to the end is cut.
 const LEAST_DEPTH: f64 = 0.7;
+/// Under a cutter with a corner turns may run to and fro beside a place where it has no room, and
+/// hardly come on. More than this many times those that looked for the end, and so many, are none.
+const MOST_OF_DOWN: f64 = 2.0;
+const FEW_TURNS: usize = 10;
 /// What the turns laid up from the end may lean over or lie under the bounds that the end was found
 /// by: it lies on them.
 const ROOM_RAD: f64 = 0.05;
@@ -200,11 +204,13 @@ impl<'a> Laying<'a> {
 
     /// The turns that only look for the end.
     fn search(&self, scallop_mm: f64) -> Front<'a> {
+        let step_mm = self.fineness().touches_to_end.map_or(self.tracing.max_step_mm, |share| self.touches_mm(share));
         Front {
             across: Across { level: self.level, bounds: self.bounds, min_step_mm: self.tracing.min_step_mm },
             scallop_mm,
             flat_mm: self.options.flat_mm(scallop_mm),
-            step_mm: self.fineness().touches_to_end.map_or(self.tracing.max_step_mm, |share| self.touches_mm(share)),
+            step_mm,
+            round_edges_mm: self.round_edges_mm(step_mm),
             round_mm: self.ring.length_mm,
             back: self.fineness().back_to_end,
             evens_ways: self.evens_ways,
@@ -219,8 +225,18 @@ impl<'a> Laying<'a> {
 
     /// Distance of touches along a turn, mm, for a share of the stepover.
     fn touches_mm(&self, share: f64) -> f64 {
-        let round_edges = self.fineness().touches_rad * self.options.radius_mm;
-        round_edges.min(share * self.flat_mm).min(self.tracing.max_step_mm)
+        let step_mm = (share * self.flat_mm).min(self.tracing.max_step_mm);
+        if self.level.inclined.is_some() { step_mm } else { step_mm.min(self.edge_mm()) }
+    }
+
+    /// The same where the ball rolls round an edge: the corner of a cutter is far smaller than what
+    /// it leaves on the ground.
+    fn round_edges_mm(&self, step_mm: f64) -> f64 {
+        if self.level.inclined.is_some() { step_mm.min(self.edge_mm()) } else { step_mm }
+    }
+
+    fn edge_mm(&self) -> f64 {
+        self.fineness().touches_rad * self.options.radius_mm
     }
 
     fn height_mm(&self, p: &Point) -> f64 {
@@ -244,6 +260,11 @@ impl<'a> Laying<'a> {
         let may_end_higher =
             is_finest && self.evens_ways == self.level.is_over_facets() && self.options.extent.ends.is_empty();
         let (mut deepest_mm, mut lost) = (0.0, None);
+        let finer = (search.scallop_mm / self.options.settings.scallop_mm).sqrt();
+        let most_turns = match self.level.inclined {
+            Some(_) => (MOST_OF_DOWN * finer * down.turns.len() as f64) as usize + FEW_TURNS,
+            None => usize::MAX,
+        };
         let ends = if may_end_higher { &LEFT_OUT[..] } else { &LEFT_OUT[..1] };
         for left_out in ends {
             let kept = &down.turns[..down.turns.len().saturating_sub(*left_out)];
@@ -253,7 +274,7 @@ impl<'a> Laying<'a> {
                 break;
             }
             end.reverse();
-            let laid = self.lay_up(&end)?;
+            let laid = self.lay_up(&end, most_turns)?;
             if let Some(at) = laid.lost {
                 lost = Some(at);
                 if *left_out == 0 {
@@ -272,9 +293,9 @@ impl<'a> Laying<'a> {
         Ok(Up::Lost(lost))
     }
 
-    /// Turns of the path from its end up, until one is nowhere under the start height or runs along
-    /// the faces at which the region begins.
-    fn lay_up(&self, end: &[Touch]) -> Result<Laid> {
+    /// Turns of the path from its end up, at most so many, until one is nowhere under the start
+    /// height or runs along the faces at which the region begins.
+    fn lay_up(&self, end: &[Touch], most_turns: usize) -> Result<Laid> {
         let (start_x, options) = (self.start_x, self.options);
         let end_x = end.iter().map(|t| self.height_mm(&t.centre)).fold(f64::INFINITY, f64::min);
         let to_faces = !self.options.extent.start_faces().is_empty();
@@ -290,17 +311,25 @@ impl<'a> Laying<'a> {
                 disc_fits: false,
             };
             let plain = self.search(options.settings.scallop_mm);
+            let step_mm = self.touches_mm(self.fineness().touches);
             let up = Front {
                 across: Across { bounds: room, ..plain.across },
-                step_mm: self.touches_mm(self.fineness().touches),
+                step_mm,
+                round_edges_mm: self.round_edges_mm(step_mm),
                 back: self.fineness().back,
                 is_path: true,
                 ..plain
             };
             let is_over = |n: &Node| n.stop.is_some() || self.height_mm(&n.touch.centre) >= start_x;
+            let mut count = 1;
             let mut laid = up.lay(up.along(end), &|x| self.progress(300.0, 700.0, x - end_x), |turn| {
-                if to_faces { rest.stays(turn) } else { turn.iter().all(is_over) }
+                count += 1;
+                count > most_turns || if to_faces { rest.stays(turn) } else { turn.iter().all(is_over) }
             })?;
+            if count > most_turns {
+                laid.lost = laid.last().iter().min_by(|a, b| a.way_mm.total_cmp(&b.way_mm)).map(|n| n.touch.centre);
+                return Ok(laid);
+            }
             if to_faces {
                 let free = laid.last().iter().find(|n| n.stop.is_none());
                 laid.lost = laid.lost.or(free.map(|n| n.touch.centre));

@@ -266,6 +266,7 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
         scallop_mm: H,
         flat_mm,
         step_mm: 1.0,
+        round_edges_mm: 1.0,
         round_mm: 100.0,
         back: 1.0,
         evens_ways: false,

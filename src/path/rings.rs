@@ -111,7 +111,10 @@ pub fn tracing(options: &PathOptions) -> Tracing {
 /// ground: its altered points, at one of which the path begins, are those of the blade and not of
 /// its facets.
 pub fn tracing_along(options: &PathOptions, flat_mm: f64) -> Tracing {
-    Tracing { max_step_mm: (0.25 * options.radius_mm).min(1.0).min(2.0 * flat_mm), ..tracing(options) }
+    // Round an edge the ball turns by little from touch to touch anyway, and a corner of a cutter
+    // may be far smaller than what it leaves on the ground.
+    let of_ball = if options.inclined.is_some() { f64::INFINITY } else { 0.25 * options.radius_mm };
+    Tracing { max_step_mm: of_ball.min(1.0).min(2.0 * flat_mm), ..tracing(options) }
 }
 
 /// Says why the stack ended and refuses one that is too short.

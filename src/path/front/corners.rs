@@ -156,6 +156,7 @@ mod tests {
             scallop_mm,
             flat_mm,
             step_mm: 0.25 * flat_mm,
+            round_edges_mm: 0.25 * flat_mm,
             round_mm: 100.0,
             back: 0.3,
             evens_ways: false,

@@ -62,6 +62,8 @@ pub struct Front<'a> {
     pub flat_mm: f64,
     /// Usual distance of touches along a turn, mm.
     pub step_mm: f64,
+    /// The same where the ball rolls round an edge, mm: no more.
+    pub round_edges_mm: f64,
     /// Way round the part at the start height, mm: the end may run round no more than a corner of
     /// it.
     pub round_mm: f64,
