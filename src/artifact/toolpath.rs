@@ -129,6 +129,59 @@ pub struct Toolpath {
     pub locations: Vec<CutterLocation>,
 }
 
+/// A place of a path that a program gives.
+#[derive(Clone, Copy, Debug)]
+pub struct GivenPlace {
+    /// Ball centre, blade frame, mm.
+    pub centre: Point,
+    /// Outward unit normal of the part under the ball; where that is nowhere near, the tool axis.
+    pub normal: Vector,
+    /// How far the way has turned about the blade axis since the first place, rad.
+    pub turned_rad: f64,
+}
+
+impl Toolpath {
+    /// The path of a ball through given places, of which turns are counted as the way goes on about
+    /// the blade axis: ball radius, stock and chord tolerance in mm.
+    pub fn given(places: &[GivenPlace], [radius_mm, stock_mm, chord_mm]: [f64; 3], cones: Cones) -> Self {
+        let (mut s_mm, mut turn_s_mm) = (0.0, 0.0);
+        let (mut turns, mut locations): (Vec<Turn>, Vec<CutterLocation>) = (Vec::new(), Vec::new());
+        for (k, GivenPlace { centre, normal, turned_rad }) in places.iter().enumerate() {
+            if let Some(before) = locations.last() {
+                let way = (centre - before.centre).norm();
+                (s_mm, turn_s_mm) = (s_mm + way, turn_s_mm + way);
+            }
+            let turn = (turned_rad.max(0.0) / std::f64::consts::TAU) as u32;
+            if locations.last().is_none_or(|l| l.turn < turn) {
+                turns.push(Turn { first: k, count: 0, length_mm: 0.0 });
+                turn_s_mm = 0.0;
+            }
+            let turn = turn.max(locations.last().map_or(0, |l| l.turn));
+            if let Some(open) = turns.last_mut() {
+                (open.count, open.length_mm) = (open.count + 1, turn_s_mm);
+            }
+            let (contact, normal) = (centre - normal * radius_mm, *normal);
+            locations.push(CutterLocation { turn, turn_s_mm, s_mm, centre: *centre, contact, normal });
+        }
+        let heights = locations.iter().map(|l| l.centre.x);
+        let region_x_mm = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        Toolpath {
+            kind: PathKind::Given,
+            radius_mm,
+            disc_radius_mm: 0.0,
+            stock_mm,
+            scallop_mm: 0.0,
+            chord_mm,
+            region_x_mm,
+            end_reason: EndReason::Region,
+            planned_scallop_mm: 0.0,
+            cones,
+            turns,
+            locations,
+        }
+    }
+}
+
 /// Whether a disc is none: the cutter is a ball.
 pub(crate) fn is_none(disc_radius_mm: &f64) -> bool {
     *disc_radius_mm == 0.0

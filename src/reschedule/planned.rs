@@ -3,10 +3,10 @@
 use super::stretches::{FEWEST, Found, LineEnd};
 use super::{Keeping, Program, RescheduleOptions, sparse, time};
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::{CutterLocation, PathKind, Turn};
+use crate::artifact::toolpath::GivenPlace;
 use crate::artifact::{AxisMotion, Blade, Channel, Cone, Cones, Schedule, Toolpath};
 use crate::channel::{self, ChannelOptions, ChannelSettings, Surroundings};
-use crate::error::{EndReason, Error, ErrorKind, Infeasible, Result, Stage};
+use crate::error::{Error, ErrorKind, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::numerics::angle::{nearest_turn, within_half_turn};
 use crate::observe::{Observer, Silent, timed};
@@ -152,51 +152,19 @@ impl StretchScene<'_> {
         if let (true, Cones::Each(each)) = (backwards, &mut cones) {
             each.reverse();
         }
-        let (mut turned, mut s_mm, mut turn_s_mm) = (0.0f64, 0.0, 0.0);
-        let (mut turns, mut locations): (Vec<Turn>, Vec<CutterLocation>) = (Vec::new(), Vec::new());
-        for (k, place) in places.iter().enumerate() {
-            if let Some(before) = k.checked_sub(1).and_then(|b| places.get(b)) {
-                let way = (place.stand.centre - before.stand.centre).norm();
-                turned += normal_turned(before, place);
-                (s_mm, turn_s_mm) = (s_mm + way, turn_s_mm + way);
-            }
-            let turn = (turned.max(0.0) / std::f64::consts::TAU) as u32;
-            if turns.is_empty() || locations.last().is_some_and(|l| l.turn < turn) {
-                turns.push(Turn { first: k, count: 0, length_mm: 0.0 });
-                turn_s_mm = 0.0;
-            }
-            let turn = turn.max(locations.last().map_or(0, |l| l.turn));
-            if let Some(open) = turns.last_mut() {
-                (open.count, open.length_mm) = (open.count + 1, turn_s_mm);
-            }
-            let centre = place.stand.centre;
-            let foot = place.at.as_ref().map_or(centre, |c| c.point);
-            let normal = (centre - foot).try_normalize(1e-12).unwrap_or(Vector::x());
-            locations.push(CutterLocation {
-                turn,
-                turn_s_mm,
-                s_mm,
-                centre,
-                contact: centre - normal * radius_mm,
-                normal,
-            });
-        }
-        let heights = locations.iter().map(|l| l.centre.x);
-        let region_x_mm = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
-        let path = Toolpath {
-            kind: PathKind::Given,
-            radius_mm,
-            disc_radius_mm: 0.0,
-            stock_mm,
-            scallop_mm: 0.0,
-            chord_mm: self.options.chord_mm,
-            region_x_mm,
-            end_reason: EndReason::Region,
-            planned_scallop_mm: 0.0,
-            cones,
-            turns,
-            locations,
-        };
+        let mut turned_rad = 0.0;
+        let given: Vec<GivenPlace> = places
+            .iter()
+            .enumerate()
+            .map(|(k, place)| {
+                turned_rad += k.checked_sub(1).map_or(0.0, |before| normal_turned(places[before], place));
+                let centre = place.stand.centre;
+                let foot = place.at.as_ref().map_or(centre, |c| c.point);
+                let normal = (centre - foot).try_normalize(1e-12).unwrap_or(Vector::x());
+                GivenPlace { centre, normal, turned_rad }
+            })
+            .collect();
+        let path = Toolpath::given(&given, [radius_mm, stock_mm, self.options.chord_mm], cones);
         StretchCourse { path, theta: places.iter().map(|p| p.stand.theta).collect(), backwards }
     }
 

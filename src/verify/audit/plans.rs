@@ -18,12 +18,13 @@ use super::legs::{Leg, LegKind, Legs};
 use super::{Audit, AuditOptions, MovesSource};
 use crate::artifact::program::{Setting, TOUCHES_MM};
 use crate::artifact::schedule::Schedule;
-use crate::artifact::toolpath::{CutterLocation, PathKind, Turn};
+use crate::artifact::toolpath::{CHORD_MM, GivenPlace};
 use crate::artifact::{
     AxisMotion, AxisRows, Blade, Channel, CheckId, CheckReport, Cone, Cones, Lead, Plan, Stand, Sweep, Toolpath,
 };
-use crate::error::{EndReason, Error, LeadReason, Result, Stage};
+use crate::error::{Error, LeadReason, Result, Stage};
 use crate::geometry::allowance::Allowed;
+use crate::numerics::angle::within_half_turn;
 use crate::observe::Observer;
 use crate::parallel;
 use crate::read::program::{self, Bench, Moved};
@@ -194,29 +195,18 @@ fn plan(run: &Run, part: &Allowed, bench: &Bench) -> Plan {
         let foot = part.closest(&stand.centre, radius_mm + TOUCHES_MM).map(|c| stand.centre - c.point);
         foot.and_then(|n| n.try_normalize(1e-12)).unwrap_or_else(|| stand.axis())
     });
-    let angle = |c: &crate::geometry::Point| c.z.atan2(c.y);
-    let (mut turned, mut s_mm, mut turn_s_mm) = (0.0f64, 0.0, 0.0);
-    let (mut turns, mut locations): (Vec<Turn>, Vec<CutterLocation>) = (Vec::new(), Vec::new());
+    let azimuth = |s: &Stand| s.centre.z.atan2(s.centre.y);
+    let mut turned_rad = 0.0;
+    let mut given: Vec<GivenPlace> = Vec::with_capacity(run.rows.len());
     for (k, ((stand, _), normal)) in run.rows.iter().zip(normals).enumerate() {
-        if let Some(before) = locations.last().map(|l| l.centre) {
-            let way = (stand.centre - before).norm();
-            turned += crate::numerics::angle::within_half_turn(angle(&stand.centre) - angle(&before));
-            (s_mm, turn_s_mm) = (s_mm + way, turn_s_mm + way);
-        }
-        let turn = ((turned.abs() + 1e-9) / std::f64::consts::TAU) as u32;
-        let turn = turn.max(locations.last().map_or(0, |l| l.turn));
-        if locations.last().is_none_or(|l| l.turn < turn) {
-            turns.push(Turn { first: k, count: 0, length_mm: 0.0 });
-            turn_s_mm = 0.0;
-        }
-        if let Some(last) = turns.last_mut() {
-            (last.count, last.length_mm) = (last.count + 1, turn_s_mm);
-        }
-        let contact = stand.centre - normal * radius_mm;
-        locations.push(CutterLocation { turn, turn_s_mm, s_mm, centre: stand.centre, contact, normal });
+        let before = k.checked_sub(1).and_then(|b| run.rows.get(b));
+        turned_rad += before.map_or(0.0, |(before, _)| within_half_turn(azimuth(stand) - azimuth(before)));
+        given.push(GivenPlace { centre: stand.centre, normal, turned_rad });
     }
-    let heights = locations.iter().map(|l| l.centre.x);
-    let region_x_mm = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+    // Turns are counted whichever way they go.
+    if turned_rad < 0.0 {
+        given.iter_mut().for_each(|g| g.turned_rad = -g.turned_rad);
+    }
     let cones = cones(&run.rows);
     let theta: Vec<f64> = run.rows.iter().map(|(s, _)| s.theta).collect();
     let place = |(k, (stand, _)): (usize, &(Stand, f64))| {
@@ -226,20 +216,7 @@ fn plan(run: &Run, part: &Allowed, bench: &Bench) -> Plan {
     let t_s: Vec<f64> = run.rows.iter().map(|(_, t)| *t).collect();
     let time_s = t_s.last().copied().unwrap_or(0.0);
     let motion = AxisMotion { t_s, position, time_s, ..AxisMotion::default() };
-    let toolpath = Toolpath {
-        kind: PathKind::Given,
-        radius_mm,
-        disc_radius_mm: 0.0,
-        stock_mm: part.stock_mm,
-        scallop_mm: 0.0,
-        chord_mm: crate::artifact::toolpath::CHORD_MM,
-        region_x_mm,
-        end_reason: EndReason::Region,
-        planned_scallop_mm: 0.0,
-        cones,
-        turns,
-        locations,
-    };
+    let toolpath = Toolpath::given(&given, [radius_mm, part.stock_mm, CHORD_MM], cones);
     let channel = Channel {
         tolerance_rad: 0.0,
         sweep: Sweep::Follow,
