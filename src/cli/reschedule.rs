@@ -74,17 +74,8 @@ fn rescheduled(args: &Reschedule, observer: &dyn Observer) -> Result<Ended> {
     let options = options(args);
     let made = reschedule::reschedule(&text.lines, &blade, &benches[0], &options, observer)?;
     let audit = AuditOptions { stock_mm: made.stock_mm, ..options.audit };
-    let stem = args.program.file_stem().unwrap_or_default().to_string_lossy();
-    let post = PostOptions {
-        program_name: program_name(&stem),
-        part_file: args.part.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-        part_hash: files::hash(&args.part, files::LONG).map_err(|e| unreadable(&args.part, e))?.1,
-        job: format!("{name}, its tool axis scheduled anew"),
-        ..PostOptions::default()
-    };
-    let new = (&made.text[..], &benches[0]);
-    let write = || anew::programs(new, &blade, &audit, &dialects, &post, observer);
-    let anew = timed(observer, Stage::Post, write)?;
+    let (new, post) = ((&made.text[..], &benches[0]), post_options(args, &name)?);
+    let anew = timed(observer, Stage::Post, || anew::programs(new, &blade, &audit, &dialects, &post, observer))?;
     let named = made.stretches.iter().map(|s| (title(s), &s.theta[..]));
     let svg = draw::rescheduled_svg(&named.collect::<Vec<(String, &[ThetaRow])>>());
     folder.add(&name, text.bytes(&made.text))?;
@@ -108,8 +99,16 @@ fn dialects(args: &Reschedule) -> Result<Vec<Dialect>> {
     Ok(all.into_iter().map(|(_, dialect)| dialect).collect())
 }
 
-fn unreadable(path: &Path, e: std::io::Error) -> Error {
-    Error::io(Stage::Model, format!("cannot read {}: {e}", path.display())).caused_by(e)
+/// What programs for other controls say of where they come from: the program `name`.
+fn post_options(args: &Reschedule, name: &str) -> Result<PostOptions> {
+    let unreadable = |e| Error::io(Stage::Model, format!("cannot read {}: {e}", args.part.display())).caused_by(e);
+    Ok(PostOptions {
+        program_name: program_name(&args.program.file_stem().unwrap_or_default().to_string_lossy()),
+        part_file: args.part.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        part_hash: files::hash(&args.part, files::LONG).map_err(unreadable)?.1,
+        job: format!("{name}, its tool axis scheduled anew"),
+        ..PostOptions::default()
+    })
 }
 
 /// What became of the program for another control.

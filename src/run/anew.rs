@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::artifact::program::Program;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, Plan};
-use crate::error::{Error, ErrorKind, Result, Stage};
+use crate::error::{Error, ErrorKind, Missed, Result, Stage};
 use crate::observe::Observer;
 use crate::read::program::Bench;
 use crate::verify::audit::{self, AuditOptions, ProgramPlans};
@@ -63,13 +63,13 @@ pub fn programs(
         return Ok(Vec::new());
     }
     let ProgramPlans { plans, setting, tool, left_out, .. } = audit::as_plans(text, blade, bench, audit, observer)?;
-    let (mut options, mut failed) = (options.clone(), Vec::new());
+    let mut options = options.clone();
     options.settings.tool_number = tool.and_then(|t| t.parse().ok()).unwrap_or(options.settings.tool_number);
     options.settings.spindle_rpm = setting.rpm.filter(|rpm| *rpm > 0.0).unwrap_or(options.settings.spindle_rpm);
-    for check in plans.iter().flat_map(|p| &p.report().checks).filter(|c| !c.passed) {
-        let name = check.id.to_string();
-        if !failed.contains(&name) {
-            failed.push(name);
+    let mut failed: Vec<String> = Vec::new();
+    for Missed { check, .. } in plans.iter().flat_map(|p| p.report().missed()) {
+        if !failed.contains(&check) {
+            failed.push(check);
         }
     }
     let verified: Vec<Verified<Plan>> = plans
