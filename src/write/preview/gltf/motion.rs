@@ -19,69 +19,64 @@ use super::{Detail, Scene, extras, single, triple};
 use crate::artifact::plan::Row;
 use crate::artifact::{Plan, Stand};
 use crate::error::Result;
-use crate::geometry::{Rigid, Vector};
+use crate::geometry::{Point, Rigid, Vector};
 
 /// θ between two keys, at most, rad: a viewer turns the table the short way.
 const MOST_TURNED_RAD: f64 = std::f64::consts::PI / 12.0;
 /// Halvings of the range in which the least distance for a number of keys is sought.
 const HALVINGS: usize = 24;
 
-/// The rows that an animation stops at.
-struct Keys {
-    rows: Vec<usize>,
-    /// How far the tool, moved evenly in time from key to key, is at most from where a row has it,
-    /// by the ball's centre and the end of the tool, mm.
-    off_mm: f64,
-}
-
-impl Keys {
-    /// At most `count` of the rows, those from which the others are least far off; more where the
-    /// table would turn too far between two.
-    fn of(rows: &[Row], length_mm: f64, count: usize) -> Self {
-        let times: Vec<f64> = rows.iter().map(|r| r.t_s).collect();
-        let places: Vec<[f64; 6]> = rows
-            .iter()
-            .map(|r| {
-                let (c, e) = (r.stand.centre, r.stand.centre + r.stand.axis() * length_mm);
-                [c.x, c.y, c.z, e.x, e.y, e.z]
-            })
-            .collect();
-        let theta: Vec<f64> = rows.iter().map(|r| r.stand.theta).collect();
-        let within = |off_mm: f64| within(&times, &places, &theta, off_mm);
-        let all: Vec<usize> = (0..rows.len()).filter(|&i| i == 0 || times[i] > times[i - 1]).collect();
-        if all.len() <= count {
-            return Keys { rows: all, off_mm: 0.0 };
-        }
-        let spread = |k: usize| {
-            let (low, high) = places.iter().fold((f64::MAX, f64::MIN), |s, p| (s.0.min(p[k]), s.1.max(p[k])));
-            high - low
-        };
-        let (mut low, mut high) = (0.0, (0..6).map(spread).fold(0.0, f64::max));
-        for _ in 0..HALVINGS {
-            let mid = 0.5 * (low + high);
-            *(if within(mid).len() <= count { &mut high } else { &mut low }) = mid;
-        }
-        let chosen = within(high);
-        Keys { off_mm: greatest_off(rows, &chosen, length_mm), rows: chosen }
+/// The rows that an animation stops at: at most `count`, those from which the others are least far
+/// off; more where the table would turn too far between two.
+fn keys(rows: &[Row], length_mm: f64, count: usize) -> Vec<usize> {
+    let times: Vec<f64> = rows.iter().map(|r| r.t_s).collect();
+    let all: Vec<usize> = (0..rows.len()).filter(|&i| i == 0 || times[i] > times[i - 1]).collect();
+    if all.len() <= count {
+        return all;
     }
+    let places: Vec<[f64; 6]> = rows
+        .iter()
+        .map(|r| {
+            let (c, e) = (r.stand.centre, r.stand.centre + r.stand.axis() * length_mm);
+            [c.x, c.y, c.z, e.x, e.y, e.z]
+        })
+        .collect();
+    let theta: Vec<f64> = rows.iter().map(|r| r.stand.theta).collect();
+    let within = |off_mm: f64| within(&times, &places, &theta, off_mm);
+    let spread = |k: usize| {
+        let (low, high) = places.iter().fold((f64::MAX, f64::MIN), |s, p| (s.0.min(p[k]), s.1.max(p[k])));
+        high - low
+    };
+    let (mut low, mut high) = (0.0, (0..6).map(spread).fold(0.0, f64::max));
+    for _ in 0..HALVINGS {
+        let mid = 0.5 * (low + high);
+        *(if within(mid).len() <= count { &mut high } else { &mut low }) = mid;
+    }
+    within(high)
 }
 
-/// How far rows are at most from the tool that moves evenly in time between those chosen, mm.
-fn greatest_off(rows: &[Row], chosen: &[usize], length_mm: f64) -> f64 {
-    let end = Vector::z() * length_mm;
-    let place = |row: &Row| Rigid::from_parts(row.stand.centre.coords.into(), attitude(&row.stand));
+/// How far the tool is at most, against the part, from where rows have it, where both go evenly in
+/// time from key to key: by the ball's centre and the end of the tool, mm. `table`: where the part
+/// is in a row.
+fn greatest_off(rows: &[Row], keys: &[usize], length_mm: f64, table: impl Fn(usize) -> Rigid) -> f64 {
+    let end = Point::from(Vector::z() * length_mm);
+    let in_part = |k: usize| Rigid::from_parts(rows[k].stand.centre.coords.into(), attitude(&rows[k].stand));
     let off = |pair: &[usize]| {
-        let (a, b) = (&rows[pair[0]], &rows[pair[1]]);
-        let (from, to) = (place(a), place(b));
-        let one = |row: &Row| {
-            let share = (row.t_s - a.t_s) / (b.t_s - a.t_s);
-            let (own, shown) = (place(row), from.lerp_slerp(&to, share));
+        let [a, b] = [pair[0], pair[1]];
+        let tables = [table(a), table(b)];
+        let tools = [tables[0] * in_part(a), tables[1] * in_part(b)];
+        let one = |k: usize| {
+            let share = (rows[k].t_s - rows[a].t_s) / (rows[b].t_s - rows[a].t_s);
+            // Neither where one turns by half a turn from key to key: nobody can say which way.
+            let between = |ends: &[Rigid; 2]| ends[0].try_lerp_slerp(&ends[1], share, 1e-9);
+            let Some((part, tool)) = between(&tables).zip(between(&tools)) else { return 0.0 };
+            let (own, shown) = (in_part(k), part.inverse() * tool);
             let centre = (own.translation.vector - shown.translation.vector).norm();
-            centre.max((own * nalgebra::Point3::from(end) - shown * nalgebra::Point3::from(end)).norm())
+            centre.max((own * end - shown * end).norm())
         };
-        rows[pair[0]..pair[1]].iter().map(one).fold(0.0, f64::max)
+        (a + 1..b).map(one).fold(0.0, f64::max)
     };
-    chosen.windows(2).map(off).fold(0.0, f64::max)
+    keys.windows(2).map(off).fold(0.0, f64::max)
 }
 
 /// Rows such that all between two of them are within `off` of the straight way in time from one to
@@ -182,7 +177,7 @@ fn part_on_machine(plan: &Plan, scene: &Scene, stand: &Stand, row: usize) -> Rig
 
 /// The machine frame's place in the scene, which is the model frame.
 fn scene_from_machine(plan: &Plan, scene: &Scene) -> Rigid {
-    let mid = scene.blade.part.mesh.aabb().map_or(crate::geometry::Point::origin(), |b| b.min + (b.max - b.min) * 0.5);
+    let mid = scene.blade.part.mesh.aabb().map_or(Point::origin(), |b| b.min + (b.max - b.min) * 0.5);
     if plan.toolpath.cones.same().is_none()
         && let Some(Row { stand, .. }) = plan.rows().next()
     {
@@ -205,13 +200,15 @@ pub(super) fn animations(
     detail: &Detail,
 ) -> Result<Vec<Animation>> {
     let rows: Vec<Row> = plan.rows().collect();
-    let keys = Keys::of(&rows, scene.tool.length_mm(), detail.keys);
+    let length_mm = scene.tool.length_mm();
+    let keys = keys(&rows, length_mm, detail.keys);
     let speed = scene.play_speed(plan);
     let model = &scene.blade.model_from_blade;
     let (to_scene, part_from_model) = (scene_from_machine(plan, scene), model.inverse());
     let mut times: Vec<f32> = Vec::new();
     let [mut fixed, mut carried, mut turned] = [Track::default(), Track::default(), Track::default()];
-    for row in &keys.rows {
+    let table_at = |row: usize| to_scene * part_on_machine(plan, scene, &rows[row].stand, row);
+    for row in &keys {
         let Row { stand, t_s, .. } = &rows[*row];
         let time = single(t_s / speed)?;
         if times.last().is_some_and(|t| time <= *t) {
@@ -219,7 +216,7 @@ pub(super) fn animations(
         }
         times.push(time);
         let in_part = Rigid::from_parts(stand.centre.coords.into(), attitude(stand));
-        let table = to_scene * part_on_machine(plan, scene, stand, *row);
+        let table = table_at(*row);
         fixed.push(&(model * in_part))?;
         carried.push(&(table * in_part))?;
         turned.push(&(table * part_from_model))?;
@@ -228,12 +225,14 @@ pub(super) fn animations(
         return Ok(Vec::new());
     }
     let input = glb.times(&times);
-    let note = |what: &str| {
+    let note = |what: &str, off_mm: f64| {
         json!({
             "what": what, "machining_time_s": plan.motion.time_s, "played_times_faster": speed,
-            "keys": times.len(), "off_the_plan_mm_at_most": keys.off_mm,
+            "keys": times.len(), "off_the_plan_mm_at_most": off_mm,
         })
     };
+    let off_mm =
+        [greatest_off(&rows, &keys, length_mm, |_| Rigid::identity()), greatest_off(&rows, &keys, length_mm, table_at)];
     let ends = [times[0], times[times.len() - 1]];
     let (mut rest, ends) = (Track::default(), glb.times(&ends));
     rest.push(&Rigid::identity())?;
@@ -244,13 +243,13 @@ pub(super) fn animations(
             glb,
             &[(tool, input, fixed), (workpiece, ends, rest)],
             name("part fixed"),
-            &note("the tool moves, the part rests"),
+            &note("the tool moves, the part rests", off_mm[0]),
         ),
         animation(
             glb,
             &[(tool, input, carried), (workpiece, input, turned)],
             name("as on the machine"),
-            &note("the table turns the part, the head keeps its direction"),
+            &note("the table turns the part, the head keeps its direction", off_mm[1]),
         ),
     ])
 }
@@ -302,22 +301,30 @@ mod tests {
             .collect();
         rows.splice(701..701, crowd);
         let length_mm = sample::tool().length_mm();
-        let keys = Keys::of(&rows, length_mm, 300);
-        assert!(keys.rows.len() <= 300 && keys.rows.len() > 250, "{}", keys.rows.len());
-        assert_eq!((keys.rows[0], keys.rows[keys.rows.len() - 1]), (0, rows.len() - 1));
+        let chosen = keys(&rows, length_mm, 300);
+        assert!(chosen.len() <= 300 && chosen.len() > 250, "{}", chosen.len());
+        assert_eq!((chosen[0], chosen[chosen.len() - 1]), (0, rows.len() - 1));
         let evenly: Vec<usize> = (0..300).map(|k| k * (rows.len() - 1) / 299).collect();
-        let other = greatest_off(&rows, &evenly, length_mm);
-        assert!(keys.off_mm > 0.0 && keys.off_mm < 0.8 * other, "{} {other}", keys.off_mm);
+        let [off, other] = [&chosen, &evenly].map(|k| greatest_off(&rows, k, length_mm, |_| Rigid::identity()));
+        assert!(off > 0.0 && off < 0.8 * other, "{off} {other}");
+        // A part that turns the other way under a tool that hardly moves: off by arcs and chords.
+        let turned = |k: usize| Rigid::rotation(Vector::x() * -rows[k].stand.theta);
+        let on_table = greatest_off(&rows, &chosen, length_mm, turned);
+        assert!(on_table > 0.0 && on_table < 2.0 * off, "{on_table} {off}");
         // All rows where they fit.
-        let all = Keys::of(&rows, length_mm, rows.len());
-        assert!(all.rows.len() >= rows.len() - 2 && all.off_mm == 0.0, "{}", all.rows.len());
+        let all = keys(&rows, length_mm, rows.len());
+        assert!(all.len() >= rows.len() - 2, "{}", all.len());
+        assert_eq!(greatest_off(&rows, &all, length_mm, turned), 0.0);
+        // Half a turn from one key to the next is no panic.
+        let half = |k: usize| Rigid::rotation(Vector::x() * if k == 0 { 0.0 } else { std::f64::consts::PI });
+        assert!(greatest_off(&rows, &[0, rows.len() - 1], length_mm, half) >= 0.0);
     }
 
     #[test]
     fn the_table_turns_the_short_way_between_keys() {
         let rows: Vec<Row> = sample::plan(4, 90).rows().collect();
-        let keys = Keys::of(&rows, 100.0, 2);
-        let most = keys.rows.windows(2).map(|w| rows[w[1]].stand.theta - rows[w[0]].stand.theta).fold(0.0, f64::max);
-        assert!(most <= MOST_TURNED_RAD + 1e-9 && keys.rows.len() > 90, "{most} {}", keys.rows.len());
+        let keys = keys(&rows, 100.0, 2);
+        let most = keys.windows(2).map(|w| rows[w[1]].stand.theta - rows[w[0]].stand.theta).fold(0.0, f64::max);
+        assert!(most <= MOST_TURNED_RAD + 1e-9 && keys.len() > 90, "{most} {}", keys.len());
     }
 }
