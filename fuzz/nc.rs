@@ -155,7 +155,7 @@ pub const NAMES: [&str; 5] = [FAMILIES[0].0, FAMILIES[1].0, FAMILIES[2].0, FAMIL
 
 /// How a family's programs are to be read, by its name or a file name that ends in it.
 fn language(name: &str) -> Language {
-    let of = |grammar, programmed| Language { grammar, programmed, shortest_way: false };
+    let of = |grammar, programmed| Language { grammar, programmed, shortest_way: false, feed_counts_degrees: false };
     match name.rsplit('.').next() {
         Some("heidenhain") => of(Grammar::Heidenhain, Programmed::Centre),
         Some("apt") => of(Grammar::Apt, Programmed::Tip),

@@ -64,7 +64,7 @@ fn excerpts(family: &str) -> Vec<Excerpt> {
             let line = words.next().and_then(|l| l.parse().ok()).expect("a line");
             (line, words.next().expect("words of the refusal").to_owned())
         });
-        let language = Language { grammar, programmed, shortest_way: false };
+        let language = Language { grammar, programmed, shortest_way: false, feed_counts_degrees: false };
         Excerpt { name: head[0].to_owned(), language, refused, text: body.to_owned() }
     };
     text.split("=== ").skip(1).map(one).collect()

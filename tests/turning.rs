@@ -109,13 +109,13 @@ fn a_lathe_without_y_is_programmed_without_it() {
     let made = verified.value();
     assert_eq!((made.schedule.kind, setup.job.post.control.clone()), (ScheduleKind::Eccentric, vec![Control::Iso]));
     assert!(made.leads.iter().all(|lead| lead.is_arc()));
-    for control in [Control::Iso, Control::Linuxcnc, Control::LinuxcncFeed] {
+    for control in [Control::Iso, Control::Linuxcnc, Control::LinuxcncFeed, Control::SiemensAxes, Control::FanucAxes] {
         let text = program(&setup, &verified, control);
         let code = text.lines().filter(|l| !l.starts_with(['(', ';', '%']));
         let mut lines = 0;
         for line in code {
             assert!(!line.split(' ').any(|w| w.starts_with('Y')), "{control}: {line}");
-            lines += usize::from(line.starts_with("G1 ") && line.contains(" X") && line.contains(" C"));
+            lines += usize::from(line.contains("G1 ") && line.contains(" X") && line.contains(" C"));
         }
         assert!(lines > 500, "{control}: {lines}");
     }
@@ -323,6 +323,28 @@ fn what_cannot_be_is_refused() {
     assert!(said(&["channel.offset_mm=[2.0, 1.0]"]).contains("channel.offset_mm"));
     let slow = ["post.spindle_rpm=500", "cut.teeth=2", "cut.speed_min_m_min=100"];
     assert!(said(&slow).contains("cuts at 9.4 m/min at most"), "{}", said(&slow));
+}
+
+/// A bull-nose cutter cuts a blade that turns evenly, and each of its teeth no more than it may.
+#[test]
+fn a_bull_nose_cuts_a_blade_that_turns_evenly() {
+    let bull = ["tool.radius_mm=8", "tool.corner_radius_mm=2", "tool.shank_radius_mm=8", "tool.taper_deg=0"];
+    let even = ["machine.b_deg=0", "schedule.kind=\"even\"", "region.start_mm=30", "region.end_mm=22"];
+    let cut = ["post.spindle_rpm=6000", "cut.teeth=2", "cut.fz_mm=[0.0, 0.08]"];
+    let changes: Vec<&str> = [&bull[..], &even, &cut].concat();
+    let (setup, verified) = planned(&changes, machine("mill_turn_cb.toml"));
+    let made = verified.value();
+    assert!(made.toolpath.disc_radius_mm == 6.0 && made.schedule.kind == ScheduleKind::Even);
+    assert!(made.schedule.reversals == 0 && made.schedule.rates.len() == made.toolpath.turns.len());
+    let checks = &verified.report().checks;
+    let of = |id: CheckId| checks.iter().find(|c| c.id == id).expect("the check");
+    assert!(of(CheckId::TurnRate).worst <= 1e-3 && !of(CheckId::TurnRate).note.contains("no turn"));
+    assert!((0.07..=0.0801).contains(&of(CheckId::ToothFeed).worst), "{:?}", of(CheckId::ToothFeed));
+    program(&setup, &verified, Control::Siemens);
+    // Leaning forwards all round, its axis is nowhere at one offset from the blade's.
+    let stays = ["machine.b_deg=0", "schedule.kind=\"eccentric\"", "region.start_mm=30", "region.end_mm=22"];
+    let e = refused(&[&bull[..], &stays].concat(), machine("mill_turn_cb.toml"));
+    assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoOffset { .. })), "{e}");
 }
 
 /// Widths of passes beside the first-order ones of a published table for turn-milling (Shi, Qiao

@@ -17,6 +17,9 @@ pub enum Control {
     /// Siemens 840D: `TRAORI`, tool tip and rotary axes as polynomials (`POLY`),
     /// `program.poly.mpf`.
     SiemensPoly,
+    /// Siemens 840D without transformation, as on lathes: positions of the machine's axes,
+    /// `program.axes.mpf`.
+    SiemensAxes,
     /// Heidenhain TNC: `TCPM`, rotary axes as positions, `program.h`.
     Heidenhain,
     /// Heidenhain TNC: `TCPM`, ball centre and rotary axes as splines of degree 3 (`SPL`, an option
@@ -28,6 +31,9 @@ pub enum Control {
     Fanuc,
     /// Fanuc: `G43.5`, the tool axis as the vector `I J K`, `program.vector.nc`.
     FanucVector,
+    /// Fanuc without tool-centre-point control, as on lathes: positions of the machine's axes,
+    /// `program.axes.nc`.
+    FanucAxes,
     /// LinuxCNC with trivial kinematics, inverse time, `program.ngc`.
     Linuxcnc,
     /// LinuxCNC with trivial kinematics, feed per minute, `program.feed.ngc`.
@@ -41,15 +47,17 @@ pub enum Control {
 
 impl Control {
     /// All of them.
-    pub const ALL: [Control; 12] = [
+    pub const ALL: [Control; 14] = [
         Control::Siemens,
         Control::SiemensVector,
         Control::SiemensPoly,
+        Control::SiemensAxes,
         Control::Heidenhain,
         Control::HeidenhainSpl,
         Control::HeidenhainVector,
         Control::Fanuc,
         Control::FanucVector,
+        Control::FanucAxes,
         Control::Linuxcnc,
         Control::LinuxcncFeed,
         Control::Iso,
@@ -96,6 +104,9 @@ pub struct Language {
     pub programmed: Programmed,
     /// Rotary words go the shortest way: a modulo axis, or one with a setting for it.
     pub shortest_way: bool,
+    /// F per minute is along all axes of a line together, a degree counted as a millimetre; else it
+    /// is along X, Y and Z, and of rotary axes on lines that turn only.
+    pub feed_counts_degrees: bool,
 }
 
 /// Where the length of the tool comes from.

@@ -93,7 +93,12 @@ mod tests {
 
     #[test]
     fn a_cutter_with_a_corner_is_programmed_by_its_tip_unless_told() {
-        let centre = Language { grammar: Grammar::Heidenhain, programmed: Programmed::Centre, shortest_way: true };
+        let centre = Language {
+            grammar: Grammar::Heidenhain,
+            programmed: Programmed::Centre,
+            shortest_way: true,
+            feed_counts_degrees: false,
+        };
         let ball = crate::sample::tool();
         let bull = Tool { corner_radius_mm: Some(1.0), ..ball.clone() };
         let told = Manner { programmed: Some(Programmed::Centre), ..Manner::default() };

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::sections::{FixtureSettings, ModelSettings, RegionSettings, WheelSettings};
-use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::PathKind;
 use crate::channel::ChannelSettings;
 use crate::error::{Error, Result, Stage};
@@ -161,7 +160,6 @@ impl Job {
 
     /// What is done with ball-end cutters only.
     fn check_cornered(&self) -> Result<()> {
-        let kind = self.schedule.kind;
         let of_balls = [
             (!self.orientation.kind.goes_round(), "orientation.kind other than cone"),
             (self.feed.smooth, "feed.smooth"),
@@ -169,9 +167,6 @@ impl Job {
             (self.channel.prove_moves, "channel.prove_moves, and schedules along a wall,"),
             (self.channel.exact_ends, "channel.exact_ends"),
             (self.channel.offset_mm.is_some(), "channel.offset_mm"),
-            (kind == ScheduleKind::Eccentric, "schedule.kind eccentric"),
-            (kind == ScheduleKind::Even, "schedule.kind even"),
-            (self.cut.is_some(), "the section cut"),
         ];
         for (is_asked, what) in of_balls {
             if is_asked {
@@ -198,7 +193,7 @@ impl Job {
     /// # Errors
     /// `Usage` naming key, value and limits.
     pub fn chip(&self) -> Result<Option<Chip>> {
-        self.cut.map(|cut| Chip::of(&cut, self.tool.radius_mm, self.post.spindle_rpm)).transpose()
+        self.cut.map(|cut| Chip::of(&cut, &self.tool, self.post.spindle_rpm)).transpose()
     }
 
     /// The job as the text of a job file.

@@ -185,9 +185,10 @@ impl Setup {
     /// How θ goes along the path.
     fn sweep(&self) -> Sweep {
         match (self.job.orientation.kind.goes_round(), self.job.tool.is_ball()) {
-            (true, true) => Sweep::Round,
-            // A narrow window of contact angle turns back where the normal does.
-            (true, false) => Sweep::Follow,
+            // A narrow window of contact angle turns back where the normal does; a blade that turns
+            // evenly never does.
+            (true, false) if self.job.schedule.kind != ScheduleKind::Even => Sweep::Follow,
+            (true, _) => Sweep::Round,
             (false, _) => Sweep::Swing,
         }
     }
@@ -241,7 +242,9 @@ impl Setup {
     pub fn schedule_options(&self) -> ScheduleOptions {
         let pace = Some(schedules::pace(&self.machine, self.job.feed.feed_mm_min));
         let offset_range_mm = self.offset_range_mm();
-        ScheduleOptions { settings: self.job.schedule, pace, offset_range_mm, ..ScheduleOptions::default() }
+        let disc_radius_mm = self.job.tool.disc_radius_mm();
+        let usual = ScheduleOptions::default();
+        ScheduleOptions { settings: self.job.schedule, pace, offset_range_mm, disc_radius_mm, ..usual }
     }
 
     /// Options of the smooth curve as the job has them: at most a third of the limit of gouges.

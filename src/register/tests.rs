@@ -13,8 +13,14 @@ use crate::machine::Machine;
 use crate::observe::Silent;
 use crate::read::model::{self, ModelOptions};
 
-const APT: Language = Language { grammar: Grammar::Apt, programmed: Programmed::Tip, shortest_way: false };
-const ISO: Language = Language { grammar: Grammar::Gcode, programmed: Programmed::Machine, shortest_way: false };
+const APT: Language =
+    Language { grammar: Grammar::Apt, programmed: Programmed::Tip, shortest_way: false, feed_counts_degrees: false };
+const ISO: Language = Language {
+    grammar: Grammar::Gcode,
+    programmed: Programmed::Machine,
+    shortest_way: false,
+    feed_counts_degrees: false,
+};
 
 fn blade(file: &str) -> Blade {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(file);
@@ -270,7 +276,8 @@ fn work_offsets_are_found() {
 /// What places say of the ball centre in any frame is what following the program with it says.
 #[test]
 fn places_are_where_the_machine_goes() {
-    let tip = |grammar| Language { grammar, programmed: Programmed::Tip, shortest_way: false };
+    let tip =
+        |grammar| Language { grammar, programmed: Programmed::Tip, shortest_way: false, feed_counts_degrees: false };
     let vectors = "T1 M6 S6000 M3\nG0 A20\nG43.5 H1\nG0 X50 Y1 Z2 I0 J0.2 K1\nG94 G1 F500 X10 Y20 Z3 I0.1 J0.3 K1\n";
     let turned = "T1 M6 S6000 M3\nG0 A35 B10\nG43.4 H1 X50 Y1 Z2\nG94 G1 F500 X10 Y20 Z3 A60\nX12 Y-9 A90 B20\n";
     let lines = "RAPID\nGOTO/1,2,3,0,0,1\nFEDRAT/500,MMPM\nGOTO/4,5,6,0,0.6,0.8\nGOTO/9,5,6,0.6,0.0,0.8\n";

@@ -465,9 +465,13 @@ impl<'a> Rewriter<'a> {
     fn feed(&self, block: &Block, own: &Moved, (from, to): (&Axes, &Axes), seconds: f64) -> Feed {
         match block.feed {
             Feed::PerMinute(f) => {
-                let machine = self.program.bench.machine;
-                let way =
-                    |m: &Moved| machine.linear().map(|k| m.to[k] - m.from[k]).iter().map(|d| d * d).sum::<f64>().sqrt();
+                let (machine, language) = (self.program.bench.machine, self.program.bench.language);
+                let way = |m: &Moved| {
+                    let of = |k: usize| m.to[k] - m.from[k];
+                    let goes: f64 = machine.linear().map(of).iter().map(|d| d * d).sum();
+                    let turns: f64 = machine.rotary().map(|k| of(k).to_degrees().powi(2)).sum();
+                    (goes + if language.feed_counts_degrees { turns } else { 0.0 }).sqrt()
+                };
                 let way = way(&Moved { from: *from, to: *to, bend: None, ..*own });
                 if way > 0.0 && seconds > 0.0 { Feed::PerMinute(60.0 * way / seconds) } else { Feed::PerMinute(f) }
             }

@@ -50,7 +50,7 @@ fn zigzag(f: f64) -> (Point, f64) {
 }
 
 fn language(grammar: Grammar, programmed: Programmed) -> Language {
-    Language { grammar, programmed, shortest_way: false }
+    Language { grammar, programmed, shortest_way: false, feed_counts_degrees: false }
 }
 
 /// A program of `n` places, with a way to and from it.

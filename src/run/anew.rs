@@ -121,7 +121,12 @@ mod tests {
     use crate::read::program::Zero;
     use crate::sample;
 
-    const ISO: Language = Language { grammar: Grammar::Gcode, programmed: Programmed::Machine, shortest_way: false };
+    const ISO: Language = Language {
+        grammar: Grammar::Gcode,
+        programmed: Programmed::Machine,
+        shortest_way: false,
+        feed_counts_degrees: false,
+    };
 
     /// Over a cylinder of radius 20 along x and back, B = 0, the gauge line 140 mm over its top;
     /// on the way back the part turns under the ball. Then a move through the air.

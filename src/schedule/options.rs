@@ -19,6 +19,9 @@ pub struct ScheduleOptions {
     /// Least and greatest offset of the tool from the blade axis that the machine has for kind
     /// `eccentric`, mm; `None`: any.
     pub offset_range_mm: Option<[f64; 2]>,
+    /// Radius of the disc that the cutter's corner rolls over, mm; 0 for a ball. Kind `eccentric`
+    /// keeps the offset of its centre, which turns about the corner's.
+    pub disc_radius_mm: f64,
     /// What the rotary axis can follow at the programmed feed: kind `time` needs it, `piecewise`
     /// chooses by it.
     pub pace: Option<Pace>,

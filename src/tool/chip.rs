@@ -1,16 +1,21 @@
-//! `[cut]` of the job file: what each tooth of a ball cutter cuts, as limits of the contact's speed
-//! and of its angle, and the marks that teeth leave along the feed.
+//! `[cut]` of the job file: what each tooth of a cutter cuts, as limits of the contact's speed and
+//! of its angle, and the marks that teeth leave along the feed.
 //!
 //! With `z` teeth at `n` turns of the spindle a second and the contact going over the part at `v`,
-//! the feed per tooth is `fz = v / (n z)`. A ball of radius `R` at the depth `a` is engaged up to
-//! `sin η = √(2 a R − a²) / R`, where the chip is thickest: `h = fz sin η`. Its contact at the
-//! angle `α` from the tool axis cuts at `v_c = 2π n R sin α`. One tooth after the other leaves
-//! marks of the height `fz² / 8 · (1/R + κ)` along the feed, `κ` the part's curvature there
+//! the feed per tooth is `fz = v / (n z)`. A ball of radius `r` at the depth `a` is engaged up to
+//! `sin η = √(2 a r − a²) / r`, where the chip is thickest: `h = fz sin η`. Its contact at the
+//! angle `α` from the tool axis cuts at `v_c = 2π n r sin α`. One tooth after the other leaves
+//! marks of the height `fz² / 8 · (1/r + κ)` along the feed, `κ` the part's curvature there
 //! (hollow: negative): the ridge of balls `fz` apart, to first order. What the tool goes on by
-//! while a tooth is in the cut makes it up to `2 fz z / (2π R sin α)` of itself higher or lower.
+//! while a tooth is in the cut makes it up to `2 fz z / (2π r sin α)` of itself higher or lower.
+//!
+//! A corner of radius `r` that a disc of radius `R − r` carries cuts at `v_c = 2π n (R − r + r sin
+//! α)`. Chip and marks are those of a ball of radius `r` where the cutter leans straight forwards,
+//! and less where it leans aside too: the disc makes it flatter.
 
 use std::f64::consts::TAU;
 
+use super::Tool;
 use crate::error::{Error, Result, Stage};
 use crate::settings::{TINY, section};
 
@@ -40,11 +45,13 @@ section! {
 /// What the teeth may cut, as limits of the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chip {
-    /// Ball radius, mm.
-    pub radius_mm: f64,
+    /// Radius of the corner, a ball's own, mm.
+    pub corner_mm: f64,
+    /// Radius of the disc that the corner rolls over, mm; 0 for a ball.
+    pub disc_mm: f64,
     /// Turns of the spindle a second.
     pub turns_per_s: f64,
-    /// Sine of the angle from the tip up to which the ball is engaged; `None`: the job says no
+    /// Sine of the angle from the contact up to which the corner is engaged; `None`: the job says no
     /// depth.
     pub sine_of_engagement: Option<f64>,
     /// Teeth a second: spindle speed by number of teeth.
@@ -57,11 +64,12 @@ pub struct Chip {
 }
 
 impl Chip {
-    /// Of a ball at a spindle speed.
+    /// Of a tool at a spindle speed.
     ///
     /// # Errors
     /// `Usage` naming key, value and limits.
-    pub fn of(cut: &CutSettings, radius_mm: f64, spindle_rpm: f64) -> Result<Chip> {
+    pub fn of(cut: &CutSettings, tool: &Tool, spindle_rpm: f64) -> Result<Chip> {
+        let (corner_mm, disc_mm) = (tool.corner_mm(), tool.disc_radius_mm());
         let bad = |m: String| Err(Error::usage(Stage::Job, m));
         if cut.teeth == 0 {
             return bad("cut.teeth is missing: how many teeth has the cutter?".into());
@@ -74,7 +82,7 @@ impl Chip {
         }
         let turns_per_s = spindle_rpm / 60.0;
         let teeth_per_s = turns_per_s * f64::from(cut.teeth);
-        let sine_of_engagement = cut.depth_mm.map(|depth| sine_of_engagement(depth, radius_mm));
+        let sine_of_engagement = cut.depth_mm.map(|depth| sine_of_engagement(depth, corner_mm));
         if cut.chip_mm.is_some() && sine_of_engagement.is_none() {
             return bad("cut.chip_mm needs cut.depth_mm: how deep is the cut?".into());
         }
@@ -88,7 +96,8 @@ impl Chip {
             ));
         }
         let mut chip = Chip {
-            radius_mm,
+            corner_mm,
+            disc_mm,
             turns_per_s,
             sine_of_engagement,
             teeth_per_s,
@@ -99,11 +108,12 @@ impl Chip {
             let greatest = chip.cutting_speed_m_min(1.0);
             if asked >= greatest {
                 return bad(format!(
-                    "cut.speed_min_m_min is {asked}, but a ball of radius {radius_mm} mm at {spindle_rpm} 1/min cuts at {greatest:.1} m/min at \
-                     most"
+                    "cut.speed_min_m_min is {asked}, but a cutter of radius {} mm at {spindle_rpm} 1/min cuts at {greatest:.1} m/min at most",
+                    corner_mm + disc_mm
                 ));
             }
-            chip.least_angle_rad = (asked / greatest).asin();
+            let out_mm = (corner_mm + disc_mm) * asked / greatest;
+            chip.least_angle_rad = ((out_mm - disc_mm) / corner_mm).max(0.0).asin();
         }
         Ok(chip)
     }
@@ -115,17 +125,17 @@ impl Chip {
 
     /// Cutting speed of the contact at an angle from the tool axis with this sine, m/min.
     pub fn cutting_speed_m_min(&self, sine: f64) -> f64 {
-        TAU * self.turns_per_s * self.radius_mm * sine * 60.0 / 1000.0
+        TAU * self.turns_per_s * (self.disc_mm + self.corner_mm * sine) * 60.0 / 1000.0
     }
 
-    /// Height of the marks of single teeth, mm, where the ball centre goes `ratio` times as fast as
-    /// the contact: `1 + R κ`.
+    /// Height of the marks of single teeth, mm, where the centre of ball or corner goes `ratio` times
+    /// as fast as the contact: `1 + r κ`.
     pub fn mark_mm(&self, contact_mm_s: f64, ratio: f64) -> f64 {
-        self.feed_per_tooth_mm(contact_mm_s).powi(2) / 8.0 * ratio / self.radius_mm
+        self.feed_per_tooth_mm(contact_mm_s).powi(2) / 8.0 * ratio / self.corner_mm
     }
 }
 
-/// Sine of the angle from the tip of a ball up to which it is engaged at a depth.
+/// Sine of the angle from its contact up to which a ball is engaged at a depth.
 fn sine_of_engagement(depth_mm: f64, radius_mm: f64) -> f64 {
     let depth = depth_mm.min(radius_mm);
     (2.0 * depth * radius_mm - depth * depth).sqrt() / radius_mm
@@ -135,6 +145,11 @@ fn sine_of_engagement(depth_mm: f64, radius_mm: f64) -> f64 {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::sample;
+
+    fn ball(radius_mm: f64) -> Tool {
+        Tool { radius_mm, ..sample::tool() }
+    }
 
     fn cut() -> CutSettings {
         CutSettings { teeth: 2, ..CutSettings::default() }
@@ -144,20 +159,39 @@ mod tests {
     fn limits_are_those_of_teeth_depth_and_speed() {
         // R 6, depth 0.2, fz 0.1: a chip of 0.0256 mm.
         assert!((0.1 * sine_of_engagement(0.2, 6.0) - 0.025_603_8).abs() < 1e-6);
-        let c = Chip::of(&CutSettings { fz_mm: Some([0.02, 0.1]), ..cut() }, 6.0, 3000.0).unwrap();
+        let c = Chip::of(&CutSettings { fz_mm: Some([0.02, 0.1]), ..cut() }, &ball(6.0), 3000.0).unwrap();
         assert!((c.contact_mm_s[0] - 2.0).abs() < 1e-9 && (c.contact_mm_s[1] - 10.0).abs() < 1e-9);
         let chip = CutSettings { chip_mm: Some([0.0, 0.01]), depth_mm: Some(0.2), ..cut() };
-        let c = Chip::of(&chip, 6.0, 3000.0).unwrap();
+        let c = Chip::of(&chip, &ball(6.0), 3000.0).unwrap();
         assert!((c.contact_mm_s[1] - 100.0 * 0.01 / sine_of_engagement(0.2, 6.0)).abs() < 1e-9);
         let slow = CutSettings { speed_min_m_min: Some(30.0), ..cut() };
-        let c = Chip::of(&slow, 6.0, 3000.0).unwrap();
+        let c = Chip::of(&slow, &ball(6.0), 3000.0).unwrap();
         assert!((c.least_angle_rad.sin() - 30.0 / (TAU * 6.0 * 3.0)).abs() < 1e-12);
         assert!(c.contact_mm_s[1] == f64::INFINITY && c.contact_mm_s[0] == 0.0);
     }
 
     #[test]
+    fn a_corner_cuts_farther_out_than_its_ball() {
+        let bull = Tool { radius_mm: 8.0, corner_radius_mm: Some(2.0), ..sample::tool() };
+        let chip = CutSettings { chip_mm: Some([0.0, 0.01]), depth_mm: Some(0.2), ..cut() };
+        let c = Chip::of(&chip, &bull, 3000.0).unwrap();
+        assert!((c.contact_mm_s[1] - 100.0 * 0.01 / sine_of_engagement(0.2, 2.0)).abs() < 1e-9);
+        // Where it touches with its greatest radius it cuts like any cutter of that, where its axis
+        // is along the normal like one of the disc's.
+        assert!((c.cutting_speed_m_min(1.0) - TAU * 50.0 * 8.0 * 0.06).abs() < 1e-9);
+        assert!((c.cutting_speed_m_min(0.0) - TAU * 50.0 * 6.0 * 0.06).abs() < 1e-9);
+        let at_least = |speed_min_m_min: f64| {
+            let slow = CutSettings { speed_min_m_min: Some(speed_min_m_min), ..cut() };
+            Chip::of(&slow, &bull, 3000.0).unwrap()
+        };
+        assert_eq!(at_least(100.0).least_angle_rad, 0.0);
+        let c = at_least(130.0);
+        assert!((c.cutting_speed_m_min(c.least_angle_rad.sin()) - 130.0).abs() < 1e-9);
+    }
+
+    #[test]
     fn what_cannot_be_is_told() {
-        let said = |c: CutSettings| Chip::of(&c, 6.0, 3000.0).unwrap_err().message;
+        let said = |c: CutSettings| Chip::of(&c, &ball(6.0), 3000.0).unwrap_err().message;
         assert!(said(CutSettings::default()).contains("cut.teeth is missing"));
         assert!(said(CutSettings { chip_mm: Some([0.0, 0.1]), ..cut() }).contains("needs cut.depth_mm"));
         assert!(said(CutSettings { fz_mm: Some([0.2, 0.1]), ..cut() }).contains("must rise"));
@@ -200,7 +234,7 @@ mod tests {
         let cases =
             [(6.0, 2, 0.1, 1e4, 0.9), (6.0, 2, 0.1, 40.0, 0.9), (4.0, 2, 0.08, 15.0, 1.2), (8.0, 4, 0.08, 25.0, 1.1)];
         for (radius, teeth, fz, part, angle) in cases {
-            let chip = Chip::of(&CutSettings { teeth, ..CutSettings::default() }, radius, 600.0).unwrap();
+            let chip = Chip::of(&CutSettings { teeth, ..CutSettings::default() }, &ball(radius), 600.0).unwrap();
             let formula = chip.mark_mm(fz * chip.teeth_per_s, 1.0 + radius / part);
             let found = left_by_teeth(radius, teeth, fz, part, angle);
             assert!((found / formula - 1.0).abs() < 0.02, "R {radius}, z {teeth}: {found} beside {formula}");

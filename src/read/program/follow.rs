@@ -414,7 +414,7 @@ impl<'a> Follower<'a> {
         if self.more > MOST {
             return Err(unreachable(block.line, "the arcs of the program are too long to be followed"));
         }
-        time(block.feed, &mut out[first..], machine);
+        time(block.feed, &mut out[first..], machine, self.bench.language.feed_counts_degrees);
         self.stands = if way.words == Programmed::Machine { to } else { moved::axes(way.words, &to, tool, machine) };
         self.said = (way.words != Programmed::Machine).then_some((way.there, block.frame));
         Ok(())
@@ -481,10 +481,14 @@ fn with_point(mut axes: Axes, machine: &Machine, point: Point) -> Axes {
     axes
 }
 
-/// How long the moves of one block take, s.
-fn time(feed: Feed, moves: &mut [Moved], machine: &Machine) {
+/// How long the moves of one block take, s. `of_all`: F counts degrees as millimetres.
+fn time(feed: Feed, moves: &mut [Moved], machine: &Machine, of_all: bool) {
     let count = moves.len() as f64;
-    let ways: Vec<f64> = moves.iter().map(|m| moved::length(m, machine.linear().into_iter())).collect();
+    let way = |m: &Moved| {
+        let way = moved::length(m, machine.linear().into_iter());
+        if of_all { way.hypot(moved::length(m, machine.rotary()).to_degrees()) } else { way }
+    };
+    let ways: Vec<f64> = moves.iter().map(way).collect();
     let goes = ways.iter().any(|w| *w > 0.0);
     for (m, way) in moves.iter_mut().zip(ways) {
         m.seconds = match feed {

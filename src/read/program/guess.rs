@@ -59,7 +59,7 @@ pub fn guess(text: &str) -> Option<Guess> {
     });
     let (grammar, programmed, why) = found.or(axes.then_some((Grammar::Gcode, Programmed::Machine, plain)))?;
     let shortest_way = shortest_way && grammar == Grammar::Heidenhain;
-    Some(Guess { language: Language { grammar, programmed, shortest_way }, why })
+    Some(Guess { language: Language { grammar, programmed, shortest_way, feed_counts_degrees: false }, why })
 }
 
 #[cfg(test)]
@@ -84,7 +84,11 @@ mod tests {
             ),
             ("(TRAORI is only told of)\nG1 X1 M126", Grammar::Gcode, Programmed::Machine, false),
         ] {
-            assert_eq!(guess(text).unwrap().language, Language { grammar, programmed, shortest_way }, "{text}");
+            assert_eq!(
+                guess(text).unwrap().language,
+                Language { grammar, programmed, shortest_way, feed_counts_degrees: false },
+                "{text}"
+            );
         }
         for text in ["", "Dear sir,\nplease mill this.", "{\"a\": 1}"] {
             assert_eq!(guess(text), None, "{text}");

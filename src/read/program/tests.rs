@@ -6,8 +6,16 @@ use crate::artifact::program::Programmed;
 use crate::machine::Machine;
 
 fn gcode(text: &str) -> Result<Vec<Block>> {
-    read(text, Language { grammar: Grammar::Gcode, programmed: Programmed::Machine, shortest_way: false })
-        .map(|s| s.blocks)
+    read(
+        text,
+        Language {
+            grammar: Grammar::Gcode,
+            programmed: Programmed::Machine,
+            shortest_way: false,
+            feed_counts_degrees: false,
+        },
+    )
+    .map(|s| s.blocks)
 }
 
 #[test]
@@ -70,7 +78,12 @@ fn what_is_not_understood_is_named_with_its_line() {
 
 #[test]
 fn klartext() {
-    let language = Language { grammar: Grammar::Heidenhain, programmed: Programmed::Centre, shortest_way: true };
+    let language = Language {
+        grammar: Grammar::Heidenhain,
+        programmed: Programmed::Centre,
+        shortest_way: true,
+        feed_counts_degrees: false,
+    };
     let text = "0 BEGIN PGM T MM\n1 M126\n2 L Z+630,5 R0 FMAX M91\n3 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\n4 L X+1 A+350 F500 M8\n5 L A+10\n6 LN X+1 TX+0 TY+0 TZ+1\n7 END PGM T MM\n";
     let script = read(text, language).unwrap();
     let b = script.blocks;
@@ -93,7 +106,12 @@ fn klartext() {
 
 #[test]
 fn apt() {
-    let language = Language { grammar: Grammar::Apt, programmed: Programmed::Tip, shortest_way: false };
+    let language = Language {
+        grammar: Grammar::Apt,
+        programmed: Programmed::Tip,
+        shortest_way: false,
+        feed_counts_degrees: false,
+    };
     let read = |text: &str| super::read(text, language).map(|s| s.blocks);
     let b = read("PARTNO/X\n$$ c\nRAPID\nGOTO/1,2,3,$\n0,0,1\nFEDRAT/20,MMPM\nGOTO/1,2,4,0,0,1\n").unwrap();
     assert_eq!((b.len(), b[0].line, b[0].feed, b[1].feed), (2, 5, Feed::Rapid, Feed::PerMinute(20.0)));
@@ -115,7 +133,12 @@ fn steps_and_polynomials_of_g_code() {
     assert_eq!(bend.point[0], [2.5 * 1.5 * 1.5, 0.7 * 1.5 * 1.5 * 1.5, 0.0, 0.0]);
     assert_eq!((bend.point[2], of_y.rotary[0]), ([0.0; 4], [4.0, 0.0, 0.0, 0.0]));
     let (tool, machine) = (crate::sample::tool(), Machine::demo().unwrap());
-    let language = Language { grammar: Grammar::Gcode, programmed: Programmed::Machine, shortest_way: false };
+    let language = Language {
+        grammar: Grammar::Gcode,
+        programmed: Programmed::Machine,
+        shortest_way: false,
+        feed_counts_degrees: false,
+    };
     let m = follow(&b, &Bench { language, zero: Zero::default(), tool: &tool, machine: &machine }).unwrap();
     for p in [0.0, 0.4, 0.9, 1.5f64] {
         // x(p) = a₀ + a₁ p + 2.5 p² + 0.7 p³ with x(0) = 0 and x(1.5) = 1.
@@ -140,7 +163,7 @@ fn steps_and_polynomials_of_g_code() {
 }
 
 fn language(grammar: Grammar, programmed: Programmed) -> Language {
-    Language { grammar, programmed, shortest_way: false }
+    Language { grammar, programmed, shortest_way: false, feed_counts_degrees: false }
 }
 
 fn followed(text: &str, grammar: Grammar, programmed: Programmed) -> Result<Vec<Moved>> {
@@ -501,7 +524,12 @@ fn calls_end() {
 
 #[test]
 fn splines_of_klartext() {
-    let language = Language { grammar: Grammar::Heidenhain, programmed: Programmed::Centre, shortest_way: false };
+    let language = Language {
+        grammar: Grammar::Heidenhain,
+        programmed: Programmed::Centre,
+        shortest_way: false,
+        feed_counts_degrees: false,
+    };
     let read = |text: &str| {
         let lines = ["BEGIN PGM S MM", "M128", "L X+1 Y+2 Z+3 A+10 F600", text];
         let numbered: Vec<String> = lines.iter().enumerate().map(|(i, l)| format!("{i} {l}")).collect();

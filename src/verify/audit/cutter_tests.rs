@@ -14,7 +14,8 @@ use crate::read::program::Zero;
 use crate::sample;
 use std::fmt::Write;
 
-const TIPS: Language = Language { grammar: Grammar::Gcode, programmed: Programmed::Tip, shortest_way: false };
+const TIPS: Language =
+    Language { grammar: Grammar::Gcode, programmed: Programmed::Tip, shortest_way: false, feed_counts_degrees: false };
 /// Cutter and corner, mm; the lead of the axis, rad.
 const RADIUS: f64 = 8.0;
 const CORNER: f64 = 2.0;

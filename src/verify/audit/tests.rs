@@ -10,7 +10,12 @@ use crate::observe::Silent;
 use crate::read::program::Zero;
 use crate::sample;
 
-const ISO: Language = Language { grammar: Grammar::Gcode, programmed: Programmed::Machine, shortest_way: false };
+const ISO: Language = Language {
+    grammar: Grammar::Gcode,
+    programmed: Programmed::Machine,
+    shortest_way: false,
+    feed_counts_degrees: false,
+};
 
 fn run(text: &str, language: Language, zero: Zero) -> Result<Audit> {
     let (tool, machine) = (sample::tool(), Machine::demo().unwrap());

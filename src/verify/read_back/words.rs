@@ -103,7 +103,8 @@ mod tests {
         ]
         .map(|(address, range)| (address.to_owned(), range))
         .into();
-        let language = Language { grammar, programmed: Programmed::Tip, shortest_way: false };
+        let language =
+            Language { grammar, programmed: Programmed::Tip, shortest_way: false, feed_counts_degrees: false };
         let (control, file_name) = ("x".to_owned(), "p.nc".to_owned());
         Program {
             control,

@@ -62,6 +62,9 @@ pub enum FeedWord {
     InverseTime,
     /// mm/min of the programmed point; degrees/min on lines that turn only.
     PerMinute,
+    /// Along all axes of the line together, each degree counted as a millimetre: what Fanuc means
+    /// by F where linear and rotary axes are interpolated without tool-centre-point control.
+    PerMinuteOfAll,
 }
 
 /// Which blocks have a number.
@@ -317,11 +320,13 @@ impl Control {
             Control::Siemens => include_str!("../../../models/posts/siemens.toml"),
             Control::SiemensVector => include_str!("../../../models/posts/siemens_vector.toml"),
             Control::SiemensPoly => include_str!("../../../models/posts/siemens_poly.toml"),
+            Control::SiemensAxes => include_str!("../../../models/posts/siemens_axes.toml"),
             Control::Heidenhain => include_str!("../../../models/posts/heidenhain.toml"),
             Control::HeidenhainSpl => include_str!("../../../models/posts/heidenhain_spl.toml"),
             Control::HeidenhainVector => include_str!("../../../models/posts/heidenhain_vector.toml"),
             Control::Fanuc => include_str!("../../../models/posts/fanuc.toml"),
             Control::FanucVector => include_str!("../../../models/posts/fanuc_vector.toml"),
+            Control::FanucAxes => include_str!("../../../models/posts/fanuc_axes.toml"),
             Control::Linuxcnc => include_str!("../../../models/posts/linuxcnc.toml"),
             Control::LinuxcncFeed => include_str!("../../../models/posts/linuxcnc_feed.toml"),
             Control::Iso => include_str!("../../../models/posts/iso.toml"),
@@ -425,6 +430,7 @@ impl Dialect {
             grammar: self.file.grammar,
             programmed: self.file.programmed,
             shortest_way: self.file.shortest_way(),
+            feed_counts_degrees: self.file.feed == FeedWord::PerMinuteOfAll,
         }
     }
 }
@@ -525,6 +531,12 @@ impl PostFile {
         let cut = self.text.cut.concat();
         let polynomial = ["{px}", "{py}", "{pz}"].map(|key| cut.contains(key));
         let spline = ["{kx}", "{ky}", "{kz}", "{ka}"].map(|key| cut.contains(key));
+        let is_more = self.poly_degree.is_some() || two.iter().any(|(_, text)| text.is_some());
+        if self.feed == FeedWord::PerMinuteOfAll && (is_more || self.programmed != Programmed::Machine) {
+            return no(
+                "feed = \"per-minute-of-all\" needs programmed = \"machine\", and neither poly_degree nor pinch",
+            );
+        }
         let Some(degree) = self.poly_degree else {
             return match (polynomial.contains(&true), spline.contains(&true)) {
                 (true, _) => no("{px}, {py} and {pz} need poly_degree"),

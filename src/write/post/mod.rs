@@ -196,7 +196,7 @@ pub fn join<'a>(
             dialect.file.name, machine.name
         );
         return Err(Error::usage(Stage::Post, message)
-            .advise("set post.control to iso, linuxcnc or linuxcnc-feed, which name positions of axes"));
+            .advise("set post.control to siemens-axes, fanuc-axes, linuxcnc or iso, which name positions of axes"));
     }
     let written: Vec<Cow<Plan>> =
         operations.iter().map(|o| planned(o.plan.value(), o.options)).collect::<Result<_>>()?;

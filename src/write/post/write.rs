@@ -361,7 +361,7 @@ impl<'a> Writer<'a> {
         };
         let moves = match (dialect.file.poly_degree, dialect.file.feed) {
             (Some(degree), _) => polynomial::all(self.run, degree, dialect.file.has_spline_lines(), &words)?,
-            (None, FeedWord::PerMinute) => moves::all(self.run, dialect.file.programmed)?,
+            (None, FeedWord::PerMinute | FeedWord::PerMinuteOfAll) => moves::all(self.run, dialect.file.programmed)?,
             (None, FeedWord::InverseTime) => {
                 let least_s = 60.0 / dialect.file.feed_range().greatest;
                 merge::joined(self.run, dialect, moves::all(self.run, dialect.file.programmed)?, least_s)?
@@ -472,6 +472,12 @@ impl<'a> Writer<'a> {
         let (file, dt_s) = (&self.dialect.file, t_s - since);
         let f = match file.feed {
             FeedWord::InverseTime => 60.0 / dt_s,
+            FeedWord::PerMinuteOfAll => {
+                let count = self.run.machine.axes().len();
+                let steps = before.zip(self.stands);
+                let all = steps.map_or(0.0, |(a, b)| (0..count).map(|k| b[k].since(a[k]).value().powi(2)).sum::<f64>());
+                60.0 * all.sqrt() / dt_s
+            }
             FeedWord::PerMinute => {
                 let linear = self.run.machine.linear();
                 let steps = before.zip(self.stands).map(|(a, b)| linear.map(|i| b[i].since(a[i]).value()));

@@ -425,7 +425,7 @@ impl<'a> Writer<'a> {
         let file = &self.dialect.file;
         let f = match file.feed {
             FeedWord::InverseTime => 60.0 / self.takes_s,
-            FeedWord::PerMinute => {
+            FeedWord::PerMinute | FeedWord::PerMinuteOfAll => {
                 let mut sum = 0.0;
                 for k in self.own.iter().copied().filter(|k| !self.p.machine.axes()[*k].is_rotary()) {
                     let per_mm = self.p.machine.axes()[k].word_per_mm();

@@ -295,6 +295,7 @@ fn time_goes_where_the_header_and_the_figures_say() {
             | Control::LinuxcncFeed
             | Control::Iso
             | Control::Fanuc
+            | Control::FanucAxes
             | Control::FanucVector
             | Control::HeidenhainSpl => {
                 assert!(turned > 19.0 * std::f64::consts::TAU, "{control:?} {turned}");
@@ -323,12 +324,14 @@ fn headers_say_what_the_program_relies_on_and_how_large_it_is() {
         let told = &told[told.len() - 2..];
         assert_eq!(told, [text.lines().count(), text.len()], "{control:?} {size}");
         let names = match control {
-            Control::Siemens | Control::SiemensVector | Control::SiemensPoly => "MD10210 INT_INCR_PER_DEG",
+            Control::Siemens | Control::SiemensVector | Control::SiemensPoly | Control::SiemensAxes => {
+                "MD10210 INT_INCR_PER_DEG"
+            }
             Control::Fanuc | Control::FanucVector => "19696#5 WKP=0",
             Control::Heidenhain | Control::HeidenhainSpl | Control::HeidenhainVector => {
                 "CAUTION  L of tool T1 is to the ball CENTRE: 135.0000 mm"
             }
-            Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso => "G54 must be zero",
+            Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso | Control::FanucAxes => "G54 must be zero",
             Control::Apt => "LOADTL",
         };
         assert!(head.contains(names), "{control:?}");

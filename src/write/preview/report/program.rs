@@ -187,7 +187,12 @@ mod tests {
     }
 
     fn program(text: String, cut_lines: Vec<CutLine>) -> Program {
-        let language = Language { grammar: Grammar::Gcode, programmed: Programmed::Tip, shortest_way: false };
+        let language = Language {
+            grammar: Grammar::Gcode,
+            programmed: Programmed::Tip,
+            shortest_way: false,
+            feed_counts_degrees: false,
+        };
         let (control, file_name, ranges) = ("x".into(), "p.nc".into(), Default::default());
         Program { control, file_name, language, ranges, cycles: Vec::new(), text, cut_lines, asked: Vec::new() }
     }

@@ -13,7 +13,12 @@ use crate::observe::Doubt;
 use crate::sample;
 
 fn program() -> Program {
-    let language = Language { grammar: Grammar::Gcode, programmed: Programmed::Tip, shortest_way: false };
+    let language = Language {
+        grammar: Grammar::Gcode,
+        programmed: Programmed::Tip,
+        shortest_way: false,
+        feed_counts_degrees: false,
+    };
     let asked = Asked { tool_number: 7, spindle_rpm: 8000.0, setting: Setting::default(), frame: None };
     Program {
         control: "any".into(),
