@@ -22,6 +22,11 @@ pub enum PathKind {
     /// Every turn is the constant-scallop neighbour of the turn before it at every point.
     #[default]
     ConstantScallop,
+    /// For comparison: a helix as a published method for turn-milling lays it, each turn at
+    /// first-order widths from the turn before. Ridges are not measured, and higher than asked for.
+    FirstOrder,
+    /// The same, and each turn is a closed ring.
+    FirstOrderRings,
     /// No helix: rows over the hub of a wheel, along the passage between the blade and the next
     /// one, to and fro.
     HubRows,
@@ -32,8 +37,17 @@ pub enum PathKind {
 }
 
 impl PathKind {
-    /// Those that go round a blade.
+    /// Those that go round a blade and that anyone would mill. Turns of first-order neighbours leave
+    /// more than is asked for.
     pub const ROUND: [PathKind; 3] = [PathKind::ConstantHeight, PathKind::IsoParametric, PathKind::ConstantScallop];
+
+    /// Whether turns are laid from one another, from the end of the region up.
+    pub fn is_of_neighbours(self) -> bool {
+        match self {
+            PathKind::ConstantScallop | PathKind::FirstOrder | PathKind::FirstOrderRings => true,
+            PathKind::ConstantHeight | PathKind::IsoParametric | PathKind::HubRows | PathKind::Given => false,
+        }
+    }
 
     /// Its name on the command line and in files.
     pub fn name(self) -> String {

@@ -295,8 +295,5 @@ fn default_kind(blade: &Blade, region: &RegionSettings) -> PathKind {
 /// within 4 % of the scallop. On a hollow wall the ridge would rise, and chords have a quarter of
 /// the tolerance.
 fn default_chord_mm(kind: PathKind, scallop_mm: f64) -> f64 {
-    match kind {
-        PathKind::ConstantScallop => (0.04 * scallop_mm).min(CHORD_MM),
-        PathKind::ConstantHeight | PathKind::IsoParametric | PathKind::HubRows | PathKind::Given => CHORD_MM,
-    }
+    if kind.is_of_neighbours() { (0.04 * scallop_mm).min(CHORD_MM) } else { CHORD_MM }
 }

@@ -153,6 +153,13 @@ pub enum Doubt {
         /// Why.
         reason: EndReason,
     },
+    /// Turns laid as first-order neighbours run into one another.
+    FirstOrderEnds {
+        /// Turns from the end of the region up to there.
+        turns: usize,
+        /// Height there, mm.
+        height_mm: f64,
+    },
     /// The helix ends above the place where the channel closes.
     HelixEndsAbove {
         /// Where it ends, mm.
@@ -396,6 +403,11 @@ impl fmt::Display for Doubt {
             Doubt::HelixEndsEarly { height_mm, asked_mm, reason } => write!(
                 f,
                 "the helix ends at height {height_mm:.3} mm instead of region.end_mm = {asked_mm} mm: {reason}"
+            ),
+            Doubt::FirstOrderEnds { turns, height_mm } => write!(
+                f,
+                "first-order neighbours run into one another at height {height_mm:.3} mm, after {turns} turns from the \
+                 end of the region up: the path begins there"
             ),
             Doubt::HelixEndsAbove { height_mm, reason, advice } => {
                 write!(f, "the helix ends at height {height_mm:.3} mm, since farther down {reason}; to go on: {advice}")

@@ -41,14 +41,14 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::bounds::{Bounds, Stop};
 use super::curve::{self, LevelCurve};
-use super::front::{Across, Fineness, Front, Laid, Node, PATIENCE, Rest};
+use super::front::{Across, By, Fineness, Front, Laid, Node, PATIENCE, Rest};
 use super::level::{LevelSet, Touch};
 use super::options::PathOptions;
 use super::ring::{Ring, Tracing};
 use super::{chords, heights_mm, helix, place, rings, spot, surface_end};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{EndReason, Error, ErrorKind, Infeasible, Result, Stage, Stopped};
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 use crate::observe::{Doubt, Observer, Warning};
 use crate::parallel;
 use crate::tool::inclination::SPAN_RAD;
@@ -74,6 +74,8 @@ const LEAST_DEPTH: f64 = 0.7;
 /// hardly come on. More than this many times those that looked for the end, and so many, are none.
 const MOST_OF_DOWN: f64 = 2.0;
 const FEW_TURNS: usize = 10;
+/// First-order neighbours that are lost after fewer turns are no path.
+const FEWEST_TURNS: usize = 3;
 /// What the turns laid up from the end may lean over or lie under the bounds that the end was found
 /// by: it lies on them.
 const ROOM_RAD: f64 = 0.05;
@@ -88,7 +90,22 @@ pub(super) fn plan(
     start_x: f64,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let lay = |evens_ways| Laying::new(blade, level, options, start_x, evens_ways, observer)?.lay();
+    neighbours(blade, level, options, start_x, By::Ridges, observer)
+}
+
+/// The same, the turns from the end up being neighbours of one another `by` another way.
+pub(super) fn neighbours(
+    blade: &Blade,
+    level: &LevelSet,
+    options: &PathOptions,
+    start_x: f64,
+    by: By,
+    observer: &dyn Observer,
+) -> Result<Toolpath> {
+    let lay = |evens_ways| {
+        let laying = Laying::new(blade, level, options, start_x, evens_ways, observer)?;
+        Laying { by, ..laying }.lay()
+    };
     let helix = better_of(lay, level, options)?;
     if matches!(helix.ended_by, Stopped::CutsBeside { .. }) {
         let [a, b] = helix.path.region_x_mm;
@@ -155,6 +172,8 @@ struct Laying<'a> {
     /// Stepover on flat ground, mm.
     flat_mm: f64,
     evens_ways: bool,
+    /// How turns are laid up from the end.
+    by: By,
 }
 
 impl<'a> Laying<'a> {
@@ -176,7 +195,20 @@ impl<'a> Laying<'a> {
         let disc_fits = options.extent.ends.is_empty() && ring.touches.iter().all(|t| level.disc_fits(t));
         let bounds = Bounds { disc_fits, ..bounds };
         let lowest_mm = bounds.x_mm[0].max(heights_mm(blade, options)?[0]);
-        Ok(Laying { blade, level, options, observer, start_x, ring, bounds, lowest_mm, tracing, flat_mm, evens_ways })
+        Ok(Laying {
+            blade,
+            level,
+            options,
+            observer,
+            start_x,
+            ring,
+            bounds,
+            lowest_mm,
+            tracing,
+            flat_mm,
+            evens_ways,
+            by: By::Ridges,
+        })
     }
 
     /// The helix, with its ways evened out or not: laid up from the first end that was found from
@@ -215,6 +247,7 @@ impl<'a> Laying<'a> {
             back: self.fineness().back_to_end,
             evens_ways: self.evens_ways,
             is_path: false,
+            by: By::Ridges,
         }
     }
 
@@ -274,7 +307,14 @@ impl<'a> Laying<'a> {
                 break;
             }
             end.reverse();
-            let laid = self.lay_up(&end, most_turns)?;
+            let mut laid = self.lay_up(&end, most_turns)?;
+            if self.by != By::Ridges
+                && laid.turns.len() > FEWEST_TURNS
+                && let Some(at) = laid.lost.take()
+            {
+                let doubt = Doubt::FirstOrderEnds { turns: laid.turns.len(), height_mm: self.height_mm(&at) };
+                self.observer.warn(Warning { stage: Stage::Path, doubt });
+            }
             if let Some(at) = laid.lost {
                 lost = Some(at);
                 if *left_out == 0 {
@@ -285,7 +325,8 @@ impl<'a> Laying<'a> {
             }
             let reversed: Vec<Vec<Touch>> =
                 laid.turns.iter().rev().map(|t| t.iter().rev().map(|n| n.touch).collect()).collect();
-            match finish(self.level, self.options, &reversed, reason.clone(), self.observer) {
+            let rings = self.by == By::FirstOrderRings;
+            match finish(self.level, self.options, (&reversed, rings), reason.clone(), self.observer) {
                 Err(e) if e.kind == ErrorKind::Infeasible => {}
                 done => return done.map(|path| Up::Laid(Box::new(path), ended_by)),
             }
@@ -316,8 +357,9 @@ impl<'a> Laying<'a> {
                 across: Across { bounds: room, ..plain.across },
                 step_mm,
                 round_edges_mm: self.round_edges_mm(step_mm),
-                back: self.fineness().back,
+                back: if self.by == By::Ridges { self.fineness().back } else { 0.0 },
                 is_path: true,
+                by: self.by,
                 ..plain
             };
             let is_over = |n: &Node| n.stop.is_some() || self.height_mm(&n.touch.centre) >= start_x;
@@ -348,6 +390,13 @@ impl<'a> Laying<'a> {
     /// The helix of the turns that were laid down from the start.
     fn laid_down(&self, down: Laid, lost_on_the_way_up: Option<Point>) -> Result<Toolpath> {
         let (blade, options) = (self.blade, self.options);
+        if self.by != By::Ridges {
+            let at = lost_on_the_way_up.map_or_else(String::new, |p| format!(" at {}", place(blade, &p)));
+            let since = rings::not_one_turn(options, Stopped::TurnsLoseSurface, None);
+            let why = format!("no first-order neighbours lead up from the end of the region{at}");
+            return Err(Error::infeasible(Stage::Path, why, since)
+                .advise("set path.kind to constant-scallop, or end the region higher with region.end_mm"));
+        }
         let reason = end_reason(blade, stopped(&down, options), options);
         if down.turns.len() < 2 {
             let (by, at) = stopped(&down, options);
@@ -363,7 +412,7 @@ impl<'a> Laying<'a> {
             return Err(Error::infeasible(Stage::Path, why, since).advise("give region.start_mm"));
         }
         let turns: Vec<Vec<Touch>> = down.turns.iter().map(|t| t.iter().map(|n| n.touch).collect()).collect();
-        finish(self.level, options, &turns, reason, self.observer)
+        finish(self.level, options, (&turns, false), reason, self.observer)
     }
 }
 
@@ -403,11 +452,11 @@ fn is_closed(turn: &[Touch]) -> bool {
     turn.first().zip(turn.last()).is_some_and(|(a, b)| a.centre == b.centre)
 }
 
-/// From turns to locations.
+/// From turns to locations; closed rings are each gone round, with a way across to the next.
 fn finish(
     level: &LevelSet,
     options: &PathOptions,
-    turns: &[Vec<Touch>],
+    (turns, are_rings): (&[Vec<Touch>], bool),
     reason: EndReason,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
@@ -415,12 +464,21 @@ fn finish(
     let filled: Vec<Vec<Touch>> = parallel::try_map(0..turns.len(), |k| {
         observer.check(Stage::Path)?;
         let touches = &turns[k];
-        let before = k.checked_sub(1).and_then(|b| turns[b].iter().rev().nth(1)).map(|t| &t.centre);
+        let beside = |turn: usize| if are_rings { Some(touches) } else { turns.get(turn) };
+        let before = k.checked_sub(1).or(are_rings.then_some(k)).and_then(beside);
+        let before = before.and_then(|t| t.iter().rev().nth(1)).map(|t| &t.centre);
         // The last turn is closed, if the end was found.
-        let on = turns.get(k + 1).or_else(|| is_closed(touches).then_some(touches));
+        let on = beside(k + 1).or_else(|| is_closed(touches).then_some(touches));
         let after = on.and_then(|t| t.get(1)).map(|t| &t.centre);
-        let curve = LevelCurve { level, touches, tangents: curve::tangents(before, touches, after) };
-        let filled = chords::fill(level, |u| curve.at(u), &curve.places(options), options)?;
+        let fill = |touches: &[Touch], tangents: Vec<Vector>| {
+            let curve = LevelCurve { level, touches, tangents };
+            chords::fill(level, |u| curve.at(u), &curve.places(options), options)
+        };
+        let mut filled = fill(touches, curve::tangents(before, touches, after))?;
+        if are_rings && let Some((last, first)) = touches.last().zip(turns.get(k + 1).and_then(|t| t.first())) {
+            let across = [*last, *first];
+            filled.extend(fill(&across, curve::tangents(None, &across, None))?);
+        }
         let n = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
         observer.progress(Stage::Path, 1000 + 1000 * n / turns.len(), 2000);
         Ok(filled)

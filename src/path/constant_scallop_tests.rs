@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::bounds::Bounds;
-use super::front::{Across, Front};
+use super::front::{Across, By, Front};
 use super::level::{LevelSet, Touch};
 use super::tests::{lofted, turned};
 use super::*;
@@ -271,6 +271,7 @@ fn contacts_of_the_first_ring_are_level_though_a_thin_blade_leans() {
         back: 1.0,
         evens_ways: false,
         is_path: false,
+        by: By::Ridges,
     };
     let extent = |touches: &[Touch]| {
         let x = touches.iter().map(|t| t.contact.x);

@@ -20,6 +20,8 @@
 //!   from the turn beside it, touch by touch, straight across, as far as leaves the scallop
 //!   (`front`). The last turn runs along the end of the region, the others alongside it, and
 //!   the first is the lowest that is nowhere under the start height.
+//! * [`PathKind::FirstOrder`] and [`PathKind::FirstOrderRings`] (`first_order`): the same by a
+//!   published method for turn-milling, to compare with.
 //!
 //! Heights and lean are those along the region's own axis ([`crate::artifact::along`]). Planar
 //! turns lie at one height and count on a region that begins and ends at heights; constant scallop
@@ -55,6 +57,7 @@ mod constant_scallop;
 mod constant_scallop_tests;
 mod curve;
 mod direction;
+mod first_order;
 mod front;
 mod helix;
 mod hub;
@@ -122,6 +125,9 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
         PathKind::IsoParametric => iso_parametric::plan(blade, &level, options, start_x, observer),
         PathKind::ConstantScallop => constant_scallop::plan(blade, &level, options, start_x, observer),
+        PathKind::FirstOrder | PathKind::FirstOrderRings => {
+            first_order::plan(blade, &level, options, start_x, observer)
+        }
         PathKind::HubRows | PathKind::Given => Err(Error::usage(Stage::Path, "a helix does not lie so")),
     }
 }

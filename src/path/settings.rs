@@ -10,13 +10,10 @@ pub const CHORDS_MM: RangeInclusive<f64> = 1e-5..=1.0;
 /// Scallops that can be asked for, mm.
 pub const SCALLOPS_MM: RangeInclusive<f64> = TINY..=10.0;
 
-/// Greatest lean of a wall that turns of a kind may go down, degrees: those of constant scallop
+/// Greatest lean of a wall that turns of a kind may go down, degrees: those laid from one another
 /// come to a platform square to the blade axis.
 pub fn most_lean_deg(kind: PathKind) -> f64 {
-    match kind {
-        PathKind::ConstantScallop => 89.5,
-        PathKind::ConstantHeight | PathKind::IsoParametric | PathKind::HubRows | PathKind::Given => 85.0,
-    }
+    if kind.is_of_neighbours() { 89.5 } else { 85.0 }
 }
 
 section! {

@@ -67,7 +67,10 @@ impl Front<'_> {
             // The place where one turn becomes the next may lie in such a corner, too.
             let is_gap = *to > from + 1 || way.norm() > FAR * self.step_mm;
             if is_gap && last.stop.is_none() && node.stop.is_none() {
-                let back = |touch: Touch| self.not_too_far(chain, [from, *to], touch);
+                let back = |touch: Touch| {
+                    // Turns that are not measured are not brought back either.
+                    if self.is_first_order() { Some(touch) } else { self.not_too_far(chain, [from, *to], touch) }
+                };
                 let is_corner = *to > from + 1 && self.follows_corners();
                 if is_corner {
                     node.touch = back(node.touch).unwrap_or(node.touch);
@@ -126,6 +129,7 @@ fn are_round_a_corner(ways: &[Vector; 2], corner_mm: f64) -> bool {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+    use super::super::By;
     use super::super::neighbour::Across;
     use super::*;
     use crate::artifact::along::Along;
@@ -161,6 +165,7 @@ mod tests {
             back: 0.3,
             evens_ways: false,
             is_path: true,
+            by: By::Ridges,
         };
         let (out, along) = (Vector::new(0.0, 1.0, 1.0).normalize(), Vector::new(0.0, -1.0, 1.0).normalize());
         let on_side = |u: f64, v: f64| {

@@ -61,13 +61,12 @@ impl Front<'_> {
             let onward = along[a.0] + along[b.0];
             step.dot(&onward) <= 0.1 * step.norm() * onward.norm()
         };
-        let least = if self.follows_corners() { OVERRUN_CORNERS } else { OVERRUN };
         let overruns = |chain: &Overrun, i: usize, node: &Node| {
             let way = node.touch.centre - turn[i].touch.centre;
-            // Cutters with a corner have their neighbours aslant across the turn.
-            let is_aslant = self.across.level.inclined.is_some();
-            let way = if is_aslant { way.cross(&along[i]).norm() } else { way.norm() };
-            node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, least * way)
+            // Cutters with a corner have their neighbours aslant across the turn, and so have
+            // places that are sought by their contacts.
+            let is_aslant = self.across.level.inclined.is_some() || self.is_first_order();
+            self.overruns(chain, i, node, &if is_aslant { way.cross(&along[i]) } else { way })
         };
         let mut end = turn.len() - 1;
         let mut kept: Vec<(usize, Node)> = Vec::new();
@@ -102,6 +101,12 @@ impl Front<'_> {
         }
     }
 
+    /// Whether a neighbour of node `i` of a turn, `way` across from it, is beyond a crossing.
+    pub fn overruns(&self, chain: &Overrun, i: usize, node: &Node, way: &Vector) -> bool {
+        let least = if self.follows_corners() { OVERRUN_CORNERS } else { OVERRUN };
+        node.stop.is_none() && chain.is_nearer(&node.touch.centre, i, least * way.norm())
+    }
+
     /// So wide a stretch without a neighbour is passed over, mm.
     fn widest_mm(&self) -> f64 {
         Fineness::of(self.across.level).widest * (2.0 * self.flat_mm + 3.0 * self.step_mm)
@@ -109,7 +114,7 @@ impl Front<'_> {
 
     /// Where a stretch of a turn up to the node `end` has no neighbours and is too wide to be
     /// passed over.
-    fn lost(&self, turn: &[Node], next: &Neighbours, kept: &[(usize, Node)], end: usize) -> Option<Point> {
+    pub fn lost(&self, turn: &[Node], next: &Neighbours, kept: &[(usize, Node)], end: usize) -> Option<Point> {
         let centre = |i: usize| turn[i].touch.centre;
         let mut from = 0;
         for to in kept.iter().map(|k| k.0).chain([end]) {

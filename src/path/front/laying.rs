@@ -4,7 +4,7 @@ use super::folds::without_cusps;
 use super::neighbour::{Heading, Next};
 use super::node::{LEAST_SHARE, Node, arc_lengths, is_ring};
 use super::overrun::Overrun;
-use super::{Front, Neighbours, RAMP_STEPOVERS};
+use super::{By, Front, Neighbours, RAMP_STEPOVERS};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 use crate::parallel;
@@ -117,7 +117,11 @@ impl Front<'_> {
         let longest_mm = TOO_LONG * laid.turns.first().map_or(0.0, |t| length_mm(t)).max(self.round_mm);
         while let Some((last, before)) = laid.turns.split_last_mut() {
             progress(self.height_mm(&last[0]))?;
-            match self.next_turn(before.last(), last) {
+            let next = match self.by {
+                By::FirstOrderRings => self.next_ring(last),
+                By::Ridges | By::FirstOrder => self.next_turn(before.last(), last),
+            };
+            match next {
                 Ok(next) if length_mm(&next) > longest_mm || length_mm(&next) < TOO_SHORT * length_mm(last) => {
                     laid.lost = next.iter().min_by(|a, b| a.way_mm.total_cmp(&b.way_mm)).map(|n| n.touch.centre);
                     break;
@@ -279,7 +283,12 @@ impl Front<'_> {
         }
         let from = Heading { touch: node.touch, along };
         let h_mm = self.scallop_mm * share * share;
-        let Next { touch, way_mm, stop } = self.across.neighbour(&from, turn, h_mm, node.way_mm * share)?;
+        let found = if self.is_first_order() {
+            self.first_order(&from, turn, h_mm)
+        } else {
+            self.across.neighbour(&from, turn, h_mm, node.way_mm * share)
+        };
+        let Next { touch, way_mm, stop } = found?;
         if stop.is_none() && way_mm < STUCK * share * self.flat_mm {
             return None;
         }

@@ -20,13 +20,15 @@
 //! | loops | `overrun` | nodes over facets | nodes that do not cross themselves |
 //! | spaced | `spacing` | nodes | the next turn |
 //!
-//! `laying` puts the stages in this order; `end` looks for the end of the region with turns, and
+//! `laying` puts the stages in this order; `first_order` has the neighbours of a published method
+//! to compare with; `end` looks for the end of the region with turns, and
 //! closes it.
 
 mod corners;
 mod end;
 mod evening;
 mod fineness;
+mod first_order;
 mod folds;
 mod laying;
 mod neighbour;
@@ -50,6 +52,17 @@ const RAMP_STEPOVERS: f64 = 20.0;
 
 /// The neighbours of a turn's nodes; `None` where the ball cannot go, or is not to.
 type Neighbours = Vec<Option<Node>>;
+
+/// How turns are laid from one another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// By the ridge between the two turns, measured on the part.
+    Ridges,
+    /// By first-order widths and steps, as published, see `first_order`.
+    FirstOrder,
+    /// The same, and each turn is a closed ring.
+    FirstOrderRings,
+}
 
 /// Lays turns from one ring on, to the right of the way it runs: down if it runs counter-clockwise
 /// seen from the tip, else up.
@@ -76,4 +89,6 @@ pub struct Front<'a> {
     /// where a wall or an edge stops the ball is a burr there, and passed by where the turn goes on
     /// close to both sides of it.
     pub is_path: bool,
+    /// How neighbours are found.
+    pub by: By,
 }

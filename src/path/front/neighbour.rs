@@ -145,7 +145,7 @@ impl Across<'_> {
 
     /// The same, or where the ball begins to roll over a sharp edge on the way there, unless the
     /// turn itself goes over that edge.
-    fn short_of_an_edge(&self, from: &Heading, turn: &[Touch], next: Next) -> Next {
+    pub fn short_of_an_edge(&self, from: &Heading, turn: &[Touch], next: Next) -> Next {
         let radius = self.level.radius_mm;
         let (bend, moved) = (next.touch.normal - from.touch.normal, next.touch.centre - from.touch.centre);
         // Rolling all the way makes this 1. Most walls are too straight, and a concave one makes it

@@ -115,7 +115,7 @@ mod tests {
     use crate::geometry::allowance::Allowed;
     use crate::geometry::{Point, Vector};
     use crate::path::bounds::Bounds;
-    use crate::path::front::Across;
+    use crate::path::front::{Across, By};
     use crate::path::level::LevelSet;
     use crate::path::tests::turned;
 
@@ -141,6 +141,7 @@ mod tests {
             back: 0.3,
             evens_ways: false,
             is_path: true,
+            by: By::Ridges,
         };
         let on_side = |k: u32, u: f64| {
             let (s, c) = (std::f64::consts::FRAC_PI_4 * (2.0 * f64::from(k) + 1.0)).sin_cos();
