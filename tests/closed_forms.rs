@@ -13,6 +13,7 @@ use bladewright::geometry::part::Part;
 use bladewright::geometry::{Point, Rigid, Vector};
 use bladewright::observe::Silent;
 use bladewright::path::{self, PathOptions};
+use bladewright::tool::scallop;
 use bladewright::verify;
 use nalgebra::{Matrix4, Vector4};
 
@@ -416,4 +417,75 @@ fn normals_of_the_forms_look_outwards() {
         let c = form.blade.part.closest(&q, f64::INFINITY).expect("near");
         assert!(c.normal.dot(&Vector::y()) > 0.5, "{}", form.name);
     }
+}
+
+/// Arc lengths of the contacts of each turn along the profile, mm, by rising turn from the end on,
+/// across from where turns begin; `arc` has it of a contact. The last turn, which lies on the end, is
+/// left out.
+fn passes(path: &Toolpath, arc: impl Fn(&Point) -> f64) -> Vec<f64> {
+    let across = |p: &Point| p.z.atan2(-p.y).abs();
+    let inner = path.turns.iter().rev().skip(1);
+    inner
+        .filter_map(|t| {
+            let turn = &path.locations[t.first..t.first + t.count];
+            let at = turn.iter().min_by(|a, b| across(&a.contact).total_cmp(&across(&b.contact)))?;
+            Some(arc(&at.contact))
+        })
+        .collect()
+}
+
+/// First-order widths are too large by what is of second order in the scallop, and that adds up from
+/// pass to pass; on a face whose parameters go as fast at both ends of the way nothing else does.
+/// Turns of constant scallop are each measured against the last one and stay.
+#[test]
+fn first_order_neighbours_drift_by_the_excess_of_their_widths() {
+    const BODY: f64 = 60.0;
+    const H: f64 = 0.018;
+    let sphere = blade(arched(0.0, BODY, 0.7), [-38.0, 38.0]);
+    let planned = |kind: PathKind| {
+        let o = options(kind, [36.0, -32.0]).with(|s| s.scallop_mm = H);
+        passes(&path::plan(&sphere, &o, &Silent).expect("a path"), |p| BODY * (p.x / BODY).asin())
+    };
+    let exact = scallop::width_mm(RADIUS, H, 1.0 / BODY).expect("the ball fits");
+    let printed = 2.0 * (2.0 * H * RADIUS * BODY / (BODY + RADIUS)).sqrt();
+    let drift = |at: &[f64], passes: usize| (at[passes] - at[0]) / exact - passes as f64;
+    for kind in [PathKind::FirstOrder, PathKind::FirstOrderRings] {
+        let at = planned(kind);
+        assert!(at.len() > 101, "{kind:?}: {} passes", at.len());
+        let expected = 100.0 * (printed / exact - 1.0);
+        let found = drift(&at, 100);
+        assert!(expected > 0.1 && (found / expected - 1.0).abs() < 0.05, "{kind:?}: {found} beside {expected}");
+    }
+    let ours = drift(&planned(PathKind::ConstantScallop), 100);
+    assert!(ours.abs() < 0.01, "{ours}");
+}
+
+/// Round a cylinder the strip is a plane's, whose printed width is exact, and nothing drifts.
+#[test]
+fn first_order_neighbours_stay_round_a_cylinder() {
+    let bar = blade(straight(-40.0, 10.0, 24.0, 10.0), [-40.0, 24.0]);
+    let exact = scallop::width_mm(RADIUS, SCALLOP, 0.0).expect("the ball fits");
+    let path = path::plan(&bar, &options(PathKind::FirstOrderRings, [20.0, -36.0]), &Silent).expect("a path");
+    let at = passes(&path, |p| p.x);
+    assert!(at.len() > 101, "{} passes", at.len());
+    assert!(((at[100] - at[0]) / exact - 100.0).abs() < 1e-4, "{}", (at[100] - at[0]) / exact);
+    // Every ring is closed, and the way across to the next is on the surface of ball centres too.
+    let off = path.locations.iter().map(|l| (l.centre.y.hypot(l.centre.z) - 10.0 - RADIUS).abs()).fold(0.0, f64::max);
+    assert!(off < 1e-5, "{off}");
+    for t in &path.turns[1..path.turns.len() - 1] {
+        let turn = &path.locations[t.first..t.first + t.count];
+        let again = turn[1..].iter().filter(|l| (l.centre - turn[0].centre).norm() < 1e-6).count();
+        assert_eq!(again, 1);
+    }
+}
+
+#[test]
+fn first_order_neighbours_are_refused_where_they_are_not_known() {
+    let exact = blade(straight(-20.0, 10.0, 24.0, 10.0), [-20.0, 24.0]);
+    let o = options(PathKind::FirstOrder, [14.0, 4.0]);
+    let stock = path::plan(&exact, &o.clone().with(|s| s.stock_mm = 0.2), &Silent).expect_err("stock");
+    assert!(stock.message.contains("path.stock_mm"), "{stock}");
+    let mesh = Blade { part: Part::from_mesh(exact.part.mesh.clone()), ..exact };
+    let refused = path::plan(&mesh, &o, &Silent).expect_err("a mesh");
+    assert!(refused.message.contains("the part is a mesh"), "{refused}");
 }

@@ -24,6 +24,7 @@
 //! the ball goes on as over a plane. Stretches that run backwards or into one another are left out
 //! as on turns of constant scallop, and places at the end of the region wait there.
 
+use super::folds::without_cusps;
 use super::neighbour::{Heading, Next};
 use super::node::Node;
 use super::overrun::Overrun;
@@ -228,7 +229,11 @@ impl Front<'_> {
         match self.lost(ring, &next, &kept, n - 1) {
             Some(at) => Err(at),
             None if kept.len() < 3 => Err(touches[0].centre),
-            None => Ok(self.spaced(kept.iter().chain(kept.first()).map(|k| k.1).collect())),
+            None => {
+                let ring: Vec<Node> = kept.iter().chain(kept.first()).map(|k| k.1).collect();
+                let ring = Overrun::of(&[], &ring, std::iter::empty()).without_loops();
+                Ok(self.spaced(without_cusps(ring)))
+            }
         }
     }
 }

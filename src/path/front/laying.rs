@@ -187,12 +187,13 @@ impl Front<'_> {
         };
         // On exact faces stretches that run into one another are found by their neighbours; a turn
         // round a thin edge may seem to cross itself there.
-        let nodes = if self.across.level.is_over_facets() {
+        let nodes = if self.across.level.is_over_facets() || self.is_first_order() {
             Overrun::of(&[], &nodes, std::iter::empty()).without_loops()
         } else {
             nodes
         };
-        let nodes = if self.across.level.inclined.is_some() { without_cusps(nodes) } else { nodes };
+        let has_cusps = self.across.level.inclined.is_some() || self.is_first_order();
+        let nodes = if has_cusps { without_cusps(nodes) } else { nodes };
         Ok(self.spaced(nodes))
     }
 
