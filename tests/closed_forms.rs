@@ -457,7 +457,8 @@ fn first_order_neighbours_drift_by_the_excess_of_their_widths() {
         assert!(expected > 0.1 && (found / expected - 1.0).abs() < 0.05, "{kind:?}: {found} beside {expected}");
     }
     let ours = drift(&planned(PathKind::ConstantScallop), 100);
-    assert!(ours.abs() < 0.01, "{ours}");
+    // Ways within 5·10⁻⁴ of the one that leaves the scallop are right.
+    assert!(ours.abs() < 100.0 * 5e-4, "{ours}");
 }
 
 /// Round a cylinder the strip is a plane's, whose printed width is exact, and nothing drifts.

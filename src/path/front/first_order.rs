@@ -264,8 +264,7 @@ mod tests {
             prop_assert!(cosine([x, y]).abs() < 1e-12, "{}", cosine([x, y]));
             let length = (e * x * x + 2.0 * f * x * y + g * y * y).sqrt();
             prop_assert!((length / width - 1.0).abs() < 1e-12, "{length}");
-            // Both of one sign: −2 u'v' (EG − F²) short of square, and square to parameter lines
-            // alone, where one of the two is nothing.
+            // Both of one sign. Where one of them is nothing the sign is no matter.
             let printed = cosine([-x, y]);
             let skew = (f * u + g * v) * (e * u + f * v);
             prop_assert!(skew.abs() < 0.05 || printed.abs() > 1e-3, "{printed} {skew}");
