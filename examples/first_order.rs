@@ -1,14 +1,14 @@
-//! Turns as a published method for turn-milling lays them beside ours, on one blade: ridges, length,
-//! and how far passes have gone astray after so many of them (`docs/turning.md`).
+//! Turns as a published method for turn-milling lays them beside ours, on one blade: ridges,
+//! length, and how far passes have gone astray after so many of them (`docs/turning.md`).
 //!
 //! `cargo run --release --example first_order -- MODEL [--radius=4] [--scallop=0.01] [--start=MM]
 //! [--end=MM]`
 //!
 //! Three kinds of path over the same region, all laid from the same curve at its end: ours
-//! (`constant-scallop`), a helix of first-order neighbours (`first-order`), and closed rings of them
-//! (`first-order-rings`). Ridges are those of the checks, between the inner turns. From places along
-//! the last turn but one the example walks from pass to pass, each time to the nearest place of the
-//! next: the way so far over that on our path is what passes are too far apart, or too near.
+//! (`constant-scallop`), a helix of first-order neighbours (`first-order`), and closed rings of
+//! them (`first-order-rings`). Ridges are those of the checks, between the inner turns. From places
+//! along the last turn but one the example walks from pass to pass, each time to the nearest place
+//! of the next: the way so far over that on our path is what passes are too far apart, or too near.
 #![allow(clippy::print_stdout)]
 
 use std::path::Path;

@@ -420,8 +420,8 @@ fn normals_of_the_forms_look_outwards() {
 }
 
 /// Arc lengths of the contacts of each turn along the profile, mm, by rising turn from the end on,
-/// across from where turns begin; `arc` has it of a contact. The last turn, which lies on the end, is
-/// left out.
+/// across from where turns begin; `arc` has it of a contact. The last turn, which lies on the end,
+/// is left out.
 fn passes(path: &Toolpath, arc: impl Fn(&Point) -> f64) -> Vec<f64> {
     let across = |p: &Point| p.z.atan2(-p.y).abs();
     let inner = path.turns.iter().rev().skip(1);
@@ -434,9 +434,9 @@ fn passes(path: &Toolpath, arc: impl Fn(&Point) -> f64) -> Vec<f64> {
         .collect()
 }
 
-/// First-order widths are too large by what is of second order in the scallop, and that adds up from
-/// pass to pass; on a face whose parameters go as fast at both ends of the way nothing else does.
-/// Turns of constant scallop are each measured against the last one and stay.
+/// First-order widths are too large by what is of second order in the scallop, and that adds up
+/// from pass to pass; on a face whose parameters go as fast at both ends of the way nothing else
+/// does. Turns of constant scallop are each measured against the last one and stay.
 #[test]
 fn first_order_neighbours_drift_by_the_excess_of_their_widths() {
     const BODY: f64 = 60.0;

@@ -37,8 +37,8 @@ pub enum PathKind {
 }
 
 impl PathKind {
-    /// Those that go round a blade and that anyone would mill. Turns of first-order neighbours leave
-    /// more than is asked for.
+    /// Those that go round a blade and that anyone would mill. Turns of first-order neighbours
+    /// leave more than is asked for.
     pub const ROUND: [PathKind; 3] = [PathKind::ConstantHeight, PathKind::IsoParametric, PathKind::ConstantScallop];
 
     /// Whether turns are laid from one another, from the end of the region up.

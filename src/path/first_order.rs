@@ -4,10 +4,10 @@
 //! The end of the region is found as for turns of constant scallop, so that all three kinds have
 //! the same last turn and go over the same surface; from it on up nothing is measured.
 //!
-//! * [`PathKind::FirstOrder`]: a helix, as the workpiece turns. Published, the workpiece's turn is a
-//!   shift of the face's parameters for each pass. In coordinates of the part a path does not know
-//!   the spindle: the shift says when the tool is where, and what differs is that turns go on into
-//!   one another.
+//! * [`PathKind::FirstOrder`]: a helix, as the workpiece turns. Published, the workpiece's turn is
+//!   a shift of the face's parameters for each pass. In coordinates of the part a path does not
+//!   know the spindle: the shift says when the tool is where, and what differs is that turns go on
+//!   into one another.
 //! * [`PathKind::FirstOrderRings`]: closed rings with a move across from each to the next, as on a
 //!   part that stands still.
 //!
