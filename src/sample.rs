@@ -262,6 +262,7 @@ fn schedule(theta: &[f64], ds: f64) -> Schedule {
         peak_acceleration: 0.0,
         quality: crate::artifact::schedule::Quality::default(),
         rates: Vec::new(),
+        spread: 1.0,
     }
 }
 

@@ -128,6 +128,21 @@ pub struct Schedule {
     /// Greatest rate at which θ grows in each turn, rad/s; empty: whatever the axes can do.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub rates: Vec<f64>,
+    /// Greatest over least rate within a turn that the schedule is made for; 1: one rate in each.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub spread: f64,
+}
+
+/// [`Schedule::spread`] at most.
+pub const MOST_SPREAD: f64 = 2.0;
+
+fn one() -> f64 {
+    1.0
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_one(value: &f64) -> bool {
+    *value == 1.0
 }
 
 impl Schedule {
@@ -143,6 +158,7 @@ impl Schedule {
             peak_acceleration: 0.0,
             quality: Quality::default(),
             rates: Vec::new(),
+            spread: 1.0,
         }
     }
 

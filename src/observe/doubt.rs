@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::Remark;
-use crate::error::{EndReason, Infeasible, LeadReason, WhyLeft, WhyNone, turn_number};
+use crate::error::{Along, EndReason, Infeasible, LeadReason, WhyLeft, WhyNone, turn_number};
 
 /// Surface that a ball does not go to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -143,6 +143,15 @@ pub enum Doubt {
     NotEven {
         /// Greatest share by which it is slower than the rest of its turn.
         share: f64,
+    },
+    /// No speed of turning stays the same all through a turn.
+    SpeedVaries {
+        /// Share by which the greatest speed within a turn is over the least.
+        share: f64,
+        /// The least with which there is a schedule, smooth or not.
+        least_share: f64,
+        /// With less there is none between these two places.
+        between: Option<[Along; 2]>,
     },
     /// The helix ends before the height that the job asks for.
     HelixEndsEarly {
@@ -400,6 +409,22 @@ impl fmt::Display for Doubt {
                  slowly it turns",
                 100.0 * share
             ),
+            Doubt::SpeedVaries { share, least_share, between } => {
+                let [most, least] = [share, least_share].map(|s| 100.0 * s);
+                write!(f, "the speed of turning varies by up to {most:.1} % within a turn, ")?;
+                match between {
+                    Some([from, to]) => write!(
+                        f,
+                        "by {least:.1} % at least: cut.fz_mm and cut.chip_mm leave no one speed from turn {}, S = {:.2} mm to turn {}, \
+                         S = {:.2} mm",
+                        turn_number(from.turn),
+                        from.turn_s_mm,
+                        turn_number(to.turn),
+                        to.turn_s_mm
+                    ),
+                    None => f.write_str("since cut.fz_mm and cut.chip_mm leave no smooth schedule that turns evenly"),
+                }
+            }
             Doubt::HelixEndsEarly { height_mm, asked_mm, reason } => write!(
                 f,
                 "the helix ends at height {height_mm:.3} mm instead of region.end_mm = {asked_mm} mm: {reason}"

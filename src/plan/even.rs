@@ -126,7 +126,7 @@ fn held_up(path: &Toolpath, schedule: &Schedule, motion: &AxisMotion) -> Vec<f64
         for i in rows {
             let rate = (schedule.theta[i + 1] - schedule.theta[i]) / (motion.t_s[i + 1] - motion.t_s[i]);
             let asked = schedule.rates.get(path.locations[i].turn as usize).copied().unwrap_or(rate);
-            out[i] = (rate / asked).min(1.0);
+            out[i] = (rate * schedule.spread / asked).min(1.0);
         }
     }
     out

@@ -563,6 +563,7 @@ fn along(path: &Toolpath, before: &Schedule, theta: Vec<f64>, curve: &Programmed
         pieces: Vec::new(),
         key_points: before.key_points.clone(),
         rates: before.rates.clone(),
+        spread: before.spread,
         peak_rate: rate,
         peak_acceleration: second,
         quality: Quality { peak_third: whole.then_some(third), curvature_continuous: whole, ..Quality::default() },

@@ -163,6 +163,7 @@ pub(super) fn schedule(kind: ScheduleKind, pieces: Vec<BezierPiece>, theta: Vec<
         pieces,
         key_points: Vec::new(),
         rates: Vec::new(),
+        spread: 1.0,
         peak_rate,
         peak_acceleration,
     }

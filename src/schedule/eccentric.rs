@@ -118,7 +118,8 @@ fn angle_of([low, high]: [f64; 2], parts: f64) -> f64 {
 
 impl CentredPlace {
     /// θ at an offset; where the channel or the centre's distance from the axis does not have it,
-    /// of the nearest that it has. `near`: where between the walls the place before stands, a share.
+    /// of the nearest that it has. `near`: where between the walls the place before stands, a
+    /// share.
     fn theta(&self, offset_mm: f64, near: f64) -> f64 {
         match &self.disc {
             Some(disc) => disc.theta(offset_mm, self.walls, near * LOOKS as f64),

@@ -10,6 +10,11 @@
 //! they are, and the others go on. Exact at the locations; the two places are the certificate: with
 //! more speed of all turns between them no schedule exists.
 //!
+//! *Least spread*: where the ball may not be as slow as one speed of turning would have it, the
+//! speed varies within turns, from `ω / spread` to `ω`. That is a wider band of slopes, from `ω / (spread
+//! v_max)` to `ω / v_min`. The least spread with a schedule is found by bisection, up to
+//! [`MOST_SPREAD`]. With [`SPREAD_BY`] less there is none, between two places that are named.
+//!
 //! *The curve*: of all in the band with a small share less than these speeds that with the least
 //! `∫ θ'''² ds`, by the solver of kind `optimal`.
 
@@ -19,17 +24,21 @@ use super::corridor::Corridor;
 use super::piecewise::walls_with_margin;
 use super::rounds::{Goal, SolverUnits, round_from, values};
 use super::{ScheduleOptions, curve};
-use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::schedule::{MOST_SPREAD, ScheduleKind};
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Along, Error, Infeasible, Result, Stage, turn_number};
-use crate::observe::Observer;
+use crate::observe::{Doubt, Observer, Warning};
 
-/// Shares of the greatest speeds that are tried: without any less there is no room to be smooth.
+/// Factors by which greatest rates are greater, and least ones less, than with the least spread.
+const WIDER: [f64; 6] = [1.005, 1.01, 1.02, 1.05, 1.1, 1.2];
+/// Shares of the greatest speeds that are tried.
 const SHARES: [f64; 7] = [0.99, 0.97, 0.94, 0.9, 0.82, 0.7, 0.5];
 /// Bisections of a turn's speed.
 const HALVINGS: usize = 50;
 /// What a crossing may be by rounding, rad.
 const ROUNDING: f64 = 1e-10;
+/// The least spread is found to this factor.
+const SPREAD_BY: f64 = 1.001;
 /// Less than this share of what a turn has alone is standing still.
 const STANDS: f64 = 1e-3;
 
@@ -45,7 +54,8 @@ pub struct Speeds<'a> {
     pub most_rad_s: f64,
 }
 
-/// The schedule with the greatest speeds of turning, one for each turn ([`Schedule::rates`]).
+/// The schedule with the greatest speeds of turning, one for each turn ([`Schedule::rates`]); where
+/// none stays the same, those that vary least ([`Schedule::spread`]), with a warning.
 ///
 /// # Errors
 /// `Infeasible` where no speed is within the channel: the two places; `Usage` where there is not
@@ -67,11 +77,15 @@ pub fn even(
         return Err(Error::usage(Stage::Schedule, message).advise("take schedule.kind time"));
     }
     let (hull, walls) = walls_with_margin(path, channel, options, observer)?;
-    let band = Band { path, walls: &walls, speeds };
-    let greatest = band.greatest_rates()?;
-    for share in SHARES {
+    let (least, greatest, between) = least_varying(Band { path, walls: &walls, speeds, spread: 1.0 }, observer)?;
+    // Without any less, or with the least spread, there is no room to be smooth.
+    let even = SHARES.iter().filter(|_| least.spread == 1.0).map(|share| [*share, 1.0]);
+    let wider = WIDER.iter().filter(|_| band_has_least(speeds)).map(|more| [*more, least.spread * more * more]);
+    let tries: Vec<[f64; 2]> = even.chain(wider).filter(|t| t[1] <= MOST_SPREAD).collect();
+    for [share, spread] in tries {
         observer.check(Stage::Schedule)?;
-        let rates: Vec<f64> = greatest.iter().map(|rate| share * rate).collect();
+        let band = Band { spread, ..least };
+        let rates: Vec<f64> = greatest.iter().map(|rate| (share * rate).min(speeds.most_rad_s)).collect();
         let slopes: Vec<[f64; 2]> = (0..intervals).map(|i| band.slopes(i, rates[band.turn(i)])).collect();
         let scale = SolverUnits::of_slopes(&walls, path.turns.len(), &slopes);
         let found = round_from(&walls, &scale, &Goal::Even { slopes }, 1e-7, None);
@@ -80,7 +94,15 @@ pub fn even(
         let pieces = curve::hermite(&walls.s, &theta, &slope);
         let theta = bezier::sample_as(hull.one_way, &pieces, &hull.s);
         check::inside(&pieces, &theta, &hull, path)?;
-        return Ok(Schedule { rates, ..curve::schedule(ScheduleKind::Even, pieces, theta, &hull) });
+        if spread > 1.0 {
+            let doubt = Doubt::SpeedVaries { share: spread - 1.0, least_share: least.spread - 1.0, between };
+            observer.warn(Warning { stage: Stage::Schedule, doubt });
+        }
+        return Ok(Schedule {
+            rates,
+            spread: band.spread,
+            ..curve::schedule(ScheduleKind::Even, pieces, theta, &hull)
+        });
     }
     let since = Infeasible::NoSmoothSchedule { margin_deg: options.settings.margin_deg };
     let message = "the channel leaves no room for a smooth schedule that turns evenly";
@@ -88,11 +110,49 @@ pub fn even(
         .advise("lower schedule.margin_deg, allow less clearance, or take schedule.kind time"))
 }
 
+/// The band whose speeds vary least, with its greatest speeds, and where they vary the two places
+/// between which they have to.
+fn least_varying<'a>(band: Band<'a>, observer: &dyn Observer) -> Result<(Band<'a>, Vec<f64>, Option<[Along; 2]>)> {
+    let none = match band.greatest_rates() {
+        Ok(rates) => return Ok((band, rates, None)),
+        Err(e) => e,
+    };
+    let at = |spread: f64| {
+        let band = Band { spread, ..band };
+        band.greatest_rates().map(|rates| (band, rates))
+    };
+    let mut found = match at(MOST_SPREAD) {
+        Ok(found) if band_has_least(band.speeds) => found,
+        _ => return Err(none),
+    };
+    let (mut low, mut why) = (1.0, none);
+    while found.0.spread > SPREAD_BY * low {
+        observer.check(Stage::Schedule)?;
+        match at((low * found.0.spread).sqrt()) {
+            Ok(less) => found = less,
+            Err(e) => (low, why) = ((low * found.0.spread).sqrt(), e),
+        }
+    }
+    let between = match why.infeasible.as_deref() {
+        Some(Infeasible::NoEvenSpeed { from, to, .. }) => Some([from.clone(), to.clone()]),
+        _ => None,
+    };
+    Ok((found.0, found.1, between))
+}
+
+/// Whether the ball may anywhere be too slow.
+fn band_has_least(speeds: &Speeds) -> bool {
+    speeds.least_mm_s.iter().any(|least| *least > 0.0)
+}
+
 /// Walls, and slopes by the speed of turning.
+#[derive(Clone, Copy)]
 struct Band<'a> {
     path: &'a Toolpath,
     walls: &'a Corridor,
     speeds: &'a Speeds<'a>,
+    /// Greatest over least speed of turning within a turn.
+    spread: f64,
 }
 
 impl Band<'_> {
@@ -109,9 +169,9 @@ impl Band<'_> {
         self.walls.s[i + 1] - self.walls.s[i]
     }
 
-    /// Least and greatest slope in an interval at a rate, rad/mm.
+    /// Least and greatest slope in an interval where a turn has that greatest rate, rad/mm.
     fn slopes(&self, i: usize, rate: f64) -> [f64; 2] {
-        [rate / self.speeds.greatest_mm_s[i], rate / self.speeds.least_mm_s[i]]
+        [rate / (self.spread * self.speeds.greatest_mm_s[i]), rate / self.speeds.least_mm_s[i]]
     }
 
     /// What θ rises at least or at most over an interval.
@@ -236,7 +296,7 @@ fn crossing(walls: &Corridor, [first, end]: [usize; 2], rise: impl Fn(usize) -> 
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::observe::Silent;
+    use crate::observe::{Recorder, Silent};
     use crate::sample;
 
     /// A path of some turns with walls about `2π` a turn that sway, and the ball slower in parts.
@@ -279,7 +339,7 @@ mod tests {
         }
         // With a thousandth more of all speeds nothing is within the walls: the proof.
         let (_, walls) = walls_with_margin(&path, &channel, &options, &Silent).unwrap();
-        let band = Band { path: &path, walls: &walls, speeds: &speeds };
+        let band = Band { path: &path, walls: &walls, speeds: &speeds, spread: 1.0 };
         let rates = band.greatest_rates().unwrap();
         let n = walls.s.len() - 1;
         assert_eq!(crossing(&walls, [0, n], |i| band.rise(i, &rates, 0)), None);
@@ -288,14 +348,58 @@ mod tests {
         assert!(walls.lo[from] + rise > walls.hi[to] && made.rates.iter().zip(&rates).all(|(a, b)| a < b));
     }
 
+    /// Where no speed stays the same the speeds vary least, and the ball keeps between its own.
+    #[test]
+    fn speeds_vary_no_more_than_they_have_to() {
+        let (path, channel, greatest) = swaying(3);
+        let least: Vec<f64> = greatest.iter().map(|v| 0.95 * v).collect();
+        let speeds = Speeds { greatest_mm_s: &greatest, least_mm_s: &least, most_rad_s: 100.0 };
+        let (options, told) = (ScheduleOptions::default(), Recorder::new(&Silent));
+        let made = even(&path, &channel, &speeds, &options, &told).unwrap();
+        assert!(made.spread > 1.0 && made.spread < MOST_SPREAD && made.quality.outside_rad == 0.0, "{}", made.spread);
+        let warned = told.warnings();
+        let share = warned.iter().find_map(|w| match &w.doubt {
+            Doubt::SpeedVaries { share, least_share, between: Some(_) } => Some([*share, *least_share]),
+            _ => None,
+        });
+        let [most, share] = share.unwrap_or_else(|| panic!("{warned:?}"));
+        assert!(
+            (1.0 + most - made.spread).abs() < 1e-12 && 1.0 + share < made.spread && made.spread < 1.25 * (1.0 + share),
+            "{share} {}",
+            made.spread
+        );
+        for (i, w) in path.locations.windows(2).enumerate() {
+            let slope = (made.theta[i + 1] - made.theta[i]) / (w[1].s_mm - w[0].s_mm);
+            // At its greatest speed the ball turns the blade at no less than the least rate, and at
+            // the greatest rate it is no slower than its least.
+            let rate = made.rates[w[0].turn as usize];
+            assert!(greatest[i] * slope >= rate / made.spread * (1.0 - 1e-6), "{i}");
+            assert!(rate / slope >= least[i] * (1.0 - 1e-6), "{i}");
+        }
+        // The proof: with a thousandth less there is none.
+        let (_, walls) = walls_with_margin(&path, &channel, &options, &Silent).unwrap();
+        let less = Band { path: &path, walls: &walls, speeds: &speeds, spread: (1.0 + share) / SPREAD_BY };
+        assert!(less.greatest_rates().is_err());
+    }
+
     #[test]
     fn a_least_speed_that_does_not_fit_is_named() {
         let (path, channel, greatest) = swaying(3);
+        // Hardly any speed but one, in a channel that has no room for what turns by it.
         let least: Vec<f64> = greatest.iter().map(|v| 0.999 * v).collect();
         let speeds = Speeds { greatest_mm_s: &greatest, least_mm_s: &least, most_rad_s: 100.0 };
-        let found = even(&path, &channel, &speeds, &ScheduleOptions::default(), &Silent);
-        let e = found.unwrap_err();
-        assert!(e.infeasible.is_some(), "{e:?}");
+        let mut narrow = channel.clone();
+        let middle = |k: usize| std::f64::consts::TAU * (path.locations[k].s_mm / 40.0).sin().abs();
+        let sways: Vec<f64> = (0..narrow.rows.len()).map(middle).collect();
+        let rises = sways.iter().scan(0.0, |most: &mut f64, v| {
+            *most = most.max(*v) + 1e-4;
+            Some(*most)
+        });
+        for (row, at) in narrow.rows.iter_mut().zip(rises) {
+            (row.theta_min, row.hull_min, row.theta_max, row.hull_max) = (at - 0.1, at - 0.1, at + 0.1, at + 0.1);
+        }
+        let e = even(&path, &narrow, &speeds, &ScheduleOptions::default(), &Silent).unwrap_err();
+        assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoEvenSpeed { .. })), "{e:?}");
         let slow: Vec<f64> = greatest.iter().map(|v| 0.2 * v).collect();
         let speeds = Speeds { greatest_mm_s: &greatest, least_mm_s: &slow, most_rad_s: 100.0 };
         let made = even(&path, &channel, &speeds, &ScheduleOptions::default(), &Silent).unwrap();

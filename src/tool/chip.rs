@@ -51,8 +51,8 @@ pub struct Chip {
     pub disc_mm: f64,
     /// Turns of the spindle a second.
     pub turns_per_s: f64,
-    /// Sine of the angle from the contact up to which the corner is engaged; `None`: the job says no
-    /// depth.
+    /// Sine of the angle from the contact up to which the corner is engaged; `None`: the job says
+    /// no depth.
     pub sine_of_engagement: Option<f64>,
     /// Teeth a second: spindle speed by number of teeth.
     pub teeth_per_s: f64,
@@ -128,8 +128,8 @@ impl Chip {
         TAU * self.turns_per_s * (self.disc_mm + self.corner_mm * sine) * 60.0 / 1000.0
     }
 
-    /// Height of the marks of single teeth, mm, where the centre of ball or corner goes `ratio` times
-    /// as fast as the contact: `1 + r κ`.
+    /// Height of the marks of single teeth, mm, where the centre of ball or corner goes `ratio`
+    /// times as fast as the contact: `1 + r κ`.
     pub fn mark_mm(&self, contact_mm_s: f64, ratio: f64) -> f64 {
         self.feed_per_tooth_mm(contact_mm_s).powi(2) / 8.0 * ratio / self.corner_mm
     }

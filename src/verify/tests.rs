@@ -138,6 +138,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             peak_acceleration: 0.0,
             quality: crate::artifact::schedule::Quality::default(),
             rates: Vec::new(),
+            spread: 1.0,
         },
         motion: AxisMotion {
             t_s: s.iter().map(|s| s / 30.0).collect(),

@@ -7,13 +7,16 @@
 //! | `turn-rate` | speed of turning from row to row, by the axes' positions and times, against the mean of its turn |
 //! | `tooth-feed` | greatest feed per tooth, from contacts and times |
 //!
+//! Where a least feed per tooth leaves no speed that stays the same, the schedule says by how much
+//! it varies; `turn-rate` allows that, up to a factor of 2.
+//!
 //! **Limits**: rows. Speeds of turning are not judged within [`BLEND_S`] of the ends of a turn,
 //! where one speed gives way to the next, and on the first and last turn, where the axes come up
 //! from rest.
 
 use crate::artifact::axis_travel::offset_mm;
 use crate::artifact::report::{Check, ToothFigures, TurningFigures};
-use crate::artifact::schedule::ScheduleKind;
+use crate::artifact::schedule::{MOST_SPREAD, ScheduleKind};
 use crate::artifact::{Blade, CheckId, Plan, Toolpath};
 use crate::machine::Machine;
 use crate::observe::Doubt;
@@ -121,7 +124,9 @@ fn rate(plan: &Plan, blade: &Blade, machine: &Machine) -> (Check, Option<[f64; 2
         |[least, greatest]| format!("{} turns, {least:.3} to {greatest:.3} 1/min", means.len()),
     );
     let quantity = "share by which the speed of turning leaves the mean of its turn";
-    let check = Check::at_most(CheckId::TurnRate, quantity, worst.0, RIPPLE, "", note);
+    // What the schedule says that it varies by, within what any may.
+    let varies = (plan.schedule.spread - 1.0).clamp(0.0, MOST_SPREAD - 1.0);
+    let check = Check::at_most(CheckId::TurnRate, quantity, worst.0, RIPPLE + varies, "", note);
     (check.at_location(worst.1, plan, blade), range)
 }
 
