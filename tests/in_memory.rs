@@ -106,6 +106,50 @@ fn a_smooth_curve_is_what_is_programmed() {
     assert!(spoilt(&|row| row.theta[0] = -1.0).contains(&CheckId::CurveTheta));
 }
 
+/// A fit programs the same part with far fewer blocks: the plan passes, the program read back too,
+/// and no curve has fewer pieces than the bound. Tolerances that the checks would not pass are
+/// refused with their limit.
+#[test]
+fn a_fit_has_fewer_blocks_than_a_smooth_curve() {
+    let set = |keys: &[&str]| {
+        let mut job =
+            JobFile::from_model(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.step")));
+        let usual = [
+            "path.scallop_mm=0.1",
+            "region.end_mm=8",
+            "verify.surface_samples=20000",
+            "post.control=[\"siemens-poly\"]",
+        ];
+        usual.iter().chain(keys).for_each(|key| job.set(key).expect("a key"));
+        inputs::draft(job, Path::new(""))
+    };
+    let made = |key: &str| {
+        let draft = set(&[key]).expect("a draft");
+        let outcome = run::in_memory(&draft, false, &Silent).expect("a plan");
+        let smooth = outcome.summary.as_ref().and_then(|s| s.smooth.clone()).expect("figures of the curve");
+        let Some(Verdict::Passed(verified)) = &outcome.verdict else { panic!("it passes") };
+        let dialects = outcome.setup.dialects().expect("dialects");
+        let (program, checks) = outcome.setup.program(&dialects[0].1, verified).expect("a program");
+        let failed: Vec<_> = checks.iter().filter(|c| !c.passed).collect();
+        assert!(failed.is_empty(), "{failed:?}");
+        (smooth, program.text.lines().filter(|line| line.contains("PO[")).count())
+    };
+    let ((few, few_blocks), (smooth, blocks)) = (made("feed.fit_mm=0.001"), made("feed.smooth=true"));
+    assert!(2 * few_blocks < blocks && 2 * few.pieces < smooth.pieces, "{few_blocks} {blocks} {few:?} {smooth:?}");
+    assert!(few.inwards_mm <= 0.001 && few.outwards_mm <= 0.001, "{few:?}");
+    let bound = few.pieces_bound.expect("a bound");
+    assert!(bound > 10 && bound <= few.pieces, "{bound} {}", few.pieces);
+    assert!(smooth.pieces_bound.is_none());
+    let refused = |keys: &[&str], words: &[&str]| {
+        let draft = set(keys).expect("a draft");
+        let e = run::in_memory(&draft, false, &Silent).err().expect("a refusal");
+        words.iter().for_each(|word| assert!(e.message.contains(word), "{}", e.message));
+    };
+    refused(&["feed.fit_mm=0.004"], &["feed.fit_mm", "at most 0.0020", "verify.gouge_mm"]);
+    refused(&["feed.fit_mm=0.001", "feed.smooth=false"], &["feed.fit_mm", "feed.smooth is false"]);
+    refused(&["feed.fit_mm=0.5"], &["feed.fit_mm", "0.05"]);
+}
+
 /// A finished run on a smooth curve stands for another one whole, or not at all: the path that the
 /// curve was made from is not kept.
 #[test]

@@ -58,6 +58,10 @@ pub struct CurveProof {
     pub theta_square: f64,
     /// No θ on the same breaks within the same limits has less.
     pub theta_bound: f64,
+    /// No spline of degree 5 in the same parameter, as near to the cutter locations as the options
+    /// and this curve are, has fewer pieces; absent where the aim was not to have few.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pieces_bound: Option<usize>,
 }
 
 /// A place of a curve: values and derivatives by the parameter, up to the fifth.

@@ -199,10 +199,15 @@ fn print_turning(t: &TurningFigures) {
 
 /// What the smooth curve gains.
 fn print_smooth(s: &SmoothFigures, locations: usize) {
-    let share = |now: f64, before: f64| if before > 0.0 { 100.0 * (now / before - 1.0) } else { 0.0 };
-    let time = share(s.time_s, s.time_before_s);
+    let grown = |now: f64, before: f64| if before > 0.0 { 100.0 * (now / before - 1.0) } else { 0.0 };
+    let time = grown(s.time_s, s.time_before_s);
     row("smooth curve", format!("{} before, {time:+.1} %", minutes(s.time_before_s)));
-    row("  pieces", format!("{} for {} locations; in straight moves {locations}", s.pieces, s.locations_before));
+    let share = s.pieces as f64 / s.locations_before.max(1) as f64;
+    let (pieces, before) = (s.pieces, s.locations_before);
+    row("  pieces", format!("{pieces} for {before} locations, {share:.3} each; in straight moves {locations}"));
+    if let Some(bound) = s.pieces_bound {
+        row("  no curve has fewer than", format!("{bound} (times {:.2})", pieces as f64 / bound.max(1) as f64));
+    }
     for jerk in s.jerk.iter().filter(|j| j.before > 0.0 || j.now > 0.0) {
         let times = if jerk.now > 0.0 { format!(", 1/{:.1}", jerk.before / jerk.now) } else { String::new() };
         let name = format!("  jerk of {} at full feed", jerk.axis);

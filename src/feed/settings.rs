@@ -22,5 +22,19 @@ section! {
         /// control would do by itself is then left to the curve. `docs/smoothing.md` says what is
         /// gained.
         smooth: bool = false;
+        /// Program a curve of as few polynomials as the search finds, with the ball within this
+        /// distance of its place on the part, mm; for controls that take polynomials.
+        ///
+        /// By default not: `smooth` takes more polynomials, and makes the curve as smooth as they
+        /// can.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fit_mm: f64 as Option<f64> = None, 1e-4..=0.05;
+    }
+}
+
+impl FeedSettings {
+    /// The key that asks for a smooth curve.
+    pub fn curve_key(&self) -> &'static str {
+        if self.fit_mm.is_some() { "feed.fit_mm" } else { "feed.smooth" }
     }
 }

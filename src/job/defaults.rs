@@ -169,7 +169,9 @@ impl Draft {
         let channel = if chosen.tool.is_ball() { channel } else { leaning(channel) };
         let channel = channel.with_typed(t.channel);
         let (feed, verify) = (FeedSettings::default(), VerifySettings::default());
-        let feed = FeedSettings { lead_radius_mm: radius_mm.max(feed.lead_radius_mm), ..feed };
+        // A fit is one of a curve.
+        let smooth = t.feed.as_ref().is_some_and(|f| f.fit_mm.is_some());
+        let feed = FeedSettings { lead_radius_mm: radius_mm.max(feed.lead_radius_mm), smooth, ..feed };
         let verify = VerifySettings { gouge_mm: (3.0 * path.chord_mm).max(verify.gouge_mm), ..verify };
         let body = |section, keys| self.fixture(section, keys, &channel);
         let job = Job {

@@ -107,7 +107,8 @@ impl Job {
             return Err(Error::usage(Stage::Job, message)
                 .advise("give wheel.blades and wheel.axis, or leave orientation.kind out"));
         }
-        for (key, is_set) in [("feed.smooth", self.feed.smooth), ("channel.sweep_b", self.channel.sweep_b)] {
+        self.check_fit()?;
+        for (key, is_set) in [(self.feed.curve_key(), self.feed.smooth), ("channel.sweep_b", self.channel.sweep_b)] {
             if is_set && !self.orientation.kind.goes_round() {
                 let message =
                     format!("{key} is for one cone of tool axes, orientation.kind asks for one at each location");
@@ -131,6 +132,25 @@ impl Job {
         }
         if self.post.control.is_empty() && self.post.files.is_empty() {
             return Err(Error::usage(Stage::Job, "post.control is empty, it must name at least one control"));
+        }
+        Ok(())
+    }
+
+    /// What a fit wants of the rest of the job.
+    fn check_fit(&self) -> Result<()> {
+        let Some(fit_mm) = self.feed.fit_mm else { return Ok(()) };
+        if !self.feed.smooth {
+            let message = format!("feed.fit_mm is {fit_mm}, which asks for a smooth curve, but feed.smooth is false");
+            return Err(Error::usage(Stage::Job, message).advise("leave out feed.smooth or feed.fit_mm"));
+        }
+        let (gouge_mm, chord_mm) = (self.verify.gouge_mm, self.path.chord_mm);
+        // The moves between places of the curve are checked too: they are off it by the chord.
+        let most_mm = gouge_mm - chord_mm;
+        if fit_mm > most_mm + TINY {
+            let message = format!(
+                "feed.fit_mm is {fit_mm}, it must be at most {most_mm:.4}: verify.gouge_mm ({gouge_mm}) less path.chord_mm ({chord_mm})"
+            );
+            return Err(Error::usage(Stage::Job, message).advise("allow more with verify.gouge_mm, or fit closer"));
         }
         Ok(())
     }
@@ -162,7 +182,7 @@ impl Job {
     fn check_cornered(&self) -> Result<()> {
         let of_balls = [
             (!self.orientation.kind.goes_round(), "orientation.kind other than cone"),
-            (self.feed.smooth, "feed.smooth"),
+            (self.feed.smooth, self.feed.curve_key()),
             (self.path.compare, "path.compare"),
             (self.channel.prove_moves, "channel.prove_moves, and schedules along a wall,"),
             (self.channel.exact_ends, "channel.exact_ends"),

@@ -4,6 +4,7 @@ pub mod angle;
 pub mod banded;
 pub mod bezier;
 pub mod bounded;
+pub mod elastic;
 pub mod quintic;
 pub mod runs;
 pub mod series;

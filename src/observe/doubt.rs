@@ -496,7 +496,7 @@ impl fmt::Display for Doubt {
                 100.0 * length_mm / of_mm
             ),
             Doubt::NothingSmoothed { reason } => {
-                write!(f, "the path stays as it is, although feed.smooth is set: {reason}")
+                write!(f, "the path stays as it is, although the job asks for a smooth curve: {reason}")
             }
             Doubt::RoughBound { gap } => write!(
                 f,

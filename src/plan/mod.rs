@@ -30,7 +30,7 @@ use crate::read::model::openings::{self, ToolReach};
 use crate::read::model::recognise::named;
 use crate::schedule::ScheduleOptions;
 use crate::section::SectionOptions;
-use crate::smooth::SmoothOptions;
+use crate::smooth::{Aim, SmoothOptions};
 use crate::tool::Chip;
 use crate::tool::inclination::Inclined;
 use crate::verify::{self, Asked, Verdict, Verified, VerifyOptions, Workspace};
@@ -247,17 +247,23 @@ impl Setup {
         ScheduleOptions { settings: self.job.schedule, pace, offset_range_mm, disc_radius_mm, ..usual }
     }
 
-    /// Options of the smooth curve as the job has them: at most a third of the limit of gouges.
+    /// Options of the smooth curve as the job has them: at most a third of the limit of gouges, or
+    /// as many polynomials as `feed.fit_mm` needs.
     pub fn smooth_options(&self) -> SmoothOptions {
         let usual = SmoothOptions::default();
         let usual = match self.blade.part.brep {
             Some(_) => usual,
             None => usual.on_mesh(self.job.path.scallop_mm),
         };
-        SmoothOptions {
-            inwards_mm: usual.inwards_mm.min(self.job.verify.gouge_mm / 3.0).max(1e-6),
-            margin_rad: self.job.schedule.margin_deg.to_radians(),
-            ..usual
+        let margin_rad = self.job.schedule.margin_deg.to_radians();
+        match self.job.feed.fit_mm {
+            Some(fit_mm) => {
+                SmoothOptions { inwards_mm: fit_mm, outwards_mm: fit_mm, margin_rad, aim: Aim::Fewest, ..usual }
+            }
+            None => {
+                let inwards_mm = usual.inwards_mm.min(self.job.verify.gouge_mm / 3.0).max(1e-6);
+                SmoothOptions { inwards_mm, margin_rad, ..usual }
+            }
         }
     }
 

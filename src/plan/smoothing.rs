@@ -23,7 +23,7 @@ use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::{Doubt, Observer, Silent, Warning, timed};
 use crate::parallel;
-use crate::smooth::{self, Objective, Share, SmoothOptions};
+use crate::smooth::{self, Aim, Near, Objective, Share, SmoothOptions};
 use crate::verify;
 
 /// How often the room across the path is narrowed where ridges would fail their check: about ridges
@@ -92,16 +92,19 @@ pub(crate) fn smoothed(
     let (mut options, objective) = (setup.smooth_options(), Objective::Part);
     let Before { path: old, channel: walls, schedule } = before;
     let mut shares = vec![Share::WHOLE; old.locations.len()];
-    let make = |options: &SmoothOptions, shares: &[Share]| {
+    let make = |options: &SmoothOptions, shares: &[Share], like: Option<&Curve>| {
         timed(observer, Stage::Smooth, || {
-            smooth::plan_near(&setup.blade.part, old, walls, schedule, &objective, options, shares, observer)
+            let near = Near { shares, like };
+            smooth::plan_near(&setup.blade.part, old, walls, schedule, &objective, options, near, observer)
         })
     };
-    let mut found = make(&options, &shares)?;
     let verify_options = setup.verify_options();
     let ridges_mm = |path: &Toolpath| verify::ridges_p99(path, &setup.blade.part, &verify_options);
     // What the check lets pass, or what the path has anyway.
-    let most_mm = (verify_options.settings.scallop_ratio * verify_options.scallop_mm).max(ridges_mm(old));
+    let own_mm = ridges_mm(old);
+    let most_mm = (verify_options.settings.scallop_ratio * verify_options.scallop_mm).max(own_mm);
+    less_off(&mut options, most_mm - own_mm);
+    let mut found = make(&options, &shares, None)?;
     let mut kept: Vec<[f64; 2]> = Vec::new();
     let (mut nearer, mut narrower) = (0, 0);
     for _ in 0..NEARER + ROUNDS + NARROWER {
@@ -117,13 +120,14 @@ pub(crate) fn smoothed(
                 return given_up(WhyNone::Ridges);
             }
             narrower += 1;
+            less_off(&mut options, 0.0);
             if narrower > NARROWER - NARROWER_ALL {
                 options.across *= 0.5;
             } else {
                 let on = OnRidges { setup, options: &verify_options, most_mm };
                 timed(observer, Stage::Smooth, || on.narrow(old, &path, &curve, &mut shares));
             }
-            found = make(&options, &shares)?;
+            found = make(&options, &shares, Some(&found))?;
             continue;
         }
         let channel = match channel_on(setup, before, &path, &curve, observer) {
@@ -141,18 +145,32 @@ pub(crate) fn smoothed(
         observer.check(Stage::Smooth)?;
         if nearer < NEARER {
             nearer += 1;
-            for (l, share) in old.locations.iter().zip(&mut shares) {
-                let is_near = |[a, b]: &[f64; 2]| l.s_mm > a - AROUND_MM && l.s_mm < b + AROUND_MM;
-                if bad.iter().any(is_near) {
-                    *share = Share { across: SHARE * share.across, turn: SHARE * share.turn };
-                }
-            }
-            found = make(&options, &shares)?;
+            nearer_about(&bad, old, &mut shares);
+            found = make(&options, &shares, Some(&found))?;
         } else {
             kept.extend(bad);
         }
     }
     given_up(WhyNone::MoreAndMore)
+}
+
+/// Less room about places, which the path's own parameter tells.
+fn nearer_about(places: &[[f64; 2]], old: &Toolpath, shares: &mut [Share]) {
+    for (l, share) in old.locations.iter().zip(shares) {
+        let is_near = |[a, b]: &[f64; 2]| l.s_mm > a - AROUND_MM && l.s_mm < b + AROUND_MM;
+        if places.iter().any(is_near) {
+            *share = Share { across: SHARE * share.across, turn: SHARE * share.turn };
+        }
+    }
+}
+
+/// Ridges grow by what the ball is farther off the part. A curve of few pieces, which uses all of
+/// its room, gets no more of it than ridges have, or than the smoothest one has anyway.
+fn less_off(options: &mut SmoothOptions, ridges_mm: f64) {
+    if options.aim == Aim::Fewest {
+        let most_mm = ridges_mm.max(SmoothOptions::default().outwards_mm);
+        options.outwards_mm = options.outwards_mm.min(most_mm);
+    }
 }
 
 /// Ridges beside those of the path as it is.
@@ -329,10 +347,14 @@ impl LaidCurve<'_> {
         let rows: Vec<CurveRow> = rows.into_iter().map(|r| r.2).collect();
         let region_x_mm = heights(&turns, &locations, old.region_x_mm);
         let path = Toolpath { turns, locations, region_x_mm, ..old.clone() };
+        let is_whole = given_up.is_empty();
         let mut left = self.found.left.clone();
         left.extend(given_up.into_iter().map(|s_mm| LeftAsIs { s_mm, why: WhyLeft::NotClear }));
         left.sort_by(|a, b| a.s_mm[0].total_cmp(&b.s_mm[0]));
-        let proof = self.found.stretches.iter().map(|s| s.proof).fold(CurveProof::default(), and);
+        let proofs = || self.found.stretches.iter().map(|s| s.proof);
+        let mut proof = proofs().fold(CurveProof::default(), and);
+        // Of stretches that are given up in part nothing is known.
+        proof.pieces_bound = proofs().map(|p| p.pieces_bound).sum::<Option<usize>>().filter(|_| is_whole);
         let curve = ProgrammedCurve { rows, left, proof, before: BeforeCurve::default() };
         let schedule = along(&path, self.before.schedule, theta, &curve);
         Some((path, schedule, curve))
@@ -512,6 +534,7 @@ fn and(a: CurveProof, b: CurveProof) -> CurveProof {
         bound_of_any: None,
         theta_square: a.theta_square + b.theta_square,
         theta_bound: a.theta_bound + b.theta_bound,
+        pieces_bound: None,
     }
 }
 

@@ -99,6 +99,9 @@ pub struct SmoothFigures {
     pub locations_before: usize,
     /// Pieces of the curve and straight moves.
     pub pieces: usize,
+    /// With `feed.fit_mm` the least number of pieces that any such curve has, as far as it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pieces_bound: Option<usize>,
     /// Machining time before, s.
     pub time_before_s: f64,
     /// Machining time on the curve, s.
@@ -121,6 +124,7 @@ fn smooth_figures(plan: &Plan, axes: &[Axis]) -> Option<SmoothFigures> {
         outwards_mm: curve.proof.outwards_mm,
         locations_before: curve.before.locations,
         pieces: curve.blocks(),
+        pieces_bound: curve.proof.pieces_bound,
         time_before_s: curve.before.time_s,
         time_s: plan.motion.time_s,
         jerk: jerk.collect(),

@@ -27,6 +27,10 @@
 //!    not within the limits the part is looked at anew, then spans are halved, and in the end the
 //!    path is left as it is there.
 //!
+//! With [`Aim::Fewest`] the breaks are searched first (`fewest`): as few as leave room in the tube.
+//! The objective then decides between the curves on these breaks, and a bound says how few pieces a
+//! spline may have at all (`longest`).
+//!
 //! The path is cut where the normal turns by more than [`CREASE_RAD`] from one location to the
 //! next.
 //!
@@ -49,7 +53,9 @@
 
 pub mod corner;
 mod evened;
+mod fewest;
 mod form;
+mod longest;
 mod options;
 mod prove;
 mod room;
@@ -67,7 +73,7 @@ use stretch::SmoothStretch;
 use turn::TurningFit;
 
 pub use evened::evened;
-pub use options::SmoothOptions;
+pub use options::{Aim, SmoothOptions};
 
 use crate::artifact::curve::{Curve, LeftAsIs};
 use crate::artifact::{Channel, Schedule, Toolpath};
@@ -117,7 +123,18 @@ pub fn plan(
     options: &SmoothOptions,
     observer: &dyn Observer,
 ) -> Result<Curve> {
-    plan_near(part, path, channel, schedule, objective, options, &vec![Share::WHOLE; path.locations.len()], observer)
+    let shares = vec![Share::WHOLE; path.locations.len()];
+    plan_near(part, path, channel, schedule, objective, options, Near { shares: &shares, like: None }, observer)
+}
+
+/// What a curve is to be near to.
+#[derive(Clone, Copy, Debug)]
+pub struct Near<'a> {
+    /// How near to the path at each location.
+    pub shares: &'a [Share],
+    /// A curve of the same path with more room: with [`Aim::Fewest`] the search begins with its
+    /// breaks.
+    pub like: Option<&'a Curve>,
 }
 
 /// How near to the path the curve is to be at a location: shares of what the options allow, greater
@@ -135,7 +152,7 @@ impl Share {
     pub const WHOLE: Share = Share { across: 1.0, turn: 1.0 };
 }
 
-/// As [`plan`], nearer to the path at some locations: a share for each.
+/// As [`plan`], nearer to the path at some locations.
 ///
 /// # Errors
 /// As [`plan`], and where shares are not as many as locations, or out of their limits.
@@ -147,9 +164,10 @@ pub fn plan_near(
     schedule: &Schedule,
     objective: &Objective,
     options: &SmoothOptions,
-    shares: &[Share],
+    near: Near,
     observer: &dyn Observer,
 ) -> Result<Curve> {
+    let shares = near.shares;
     options.validate()?;
     validate(path, channel, schedule)?;
     if shares.len() != path.locations.len()
@@ -184,7 +202,8 @@ pub fn plan_near(
         let joined = [range.start > 0, range.end < whole];
         let all = (path, channel, schedule);
         let stretch = self::stretch(&part, all, (&room, shares), range.clone(), joined, objective, options);
-        match stretch.smooth() {
+        let like = near.like.and_then(|c| c.stretches.iter().find(|s| s.s_mm() == ends)).map(|s| &s.breaks);
+        match stretch.smooth(like) {
             Some(Ok(found)) => curve.stretches.push(found),
             Some(Err(broken)) if cuts < MOST_CUTS && !broken.is_empty() => {
                 for (part, is_left) in without(path, range, &broken) {

@@ -3,6 +3,16 @@
 use crate::artifact::schedule::MARGIN_DEG;
 use crate::error::{Error, Result, Stage};
 
+/// What the breaks of a curve are to be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Aim {
+    /// Some moves apart, so that the objective becomes small.
+    #[default]
+    Smoothest,
+    /// As few as the search finds.
+    Fewest,
+}
+
 /// Options of [`super::plan`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmoothOptions {
@@ -25,6 +35,8 @@ pub struct SmoothOptions {
     pub margin_rad: f64,
     /// Share by which the result may be worse than the best on the same breaks. Default 0.005.
     pub gap: f64,
+    /// What the breaks are to be. Default [`Aim::Smoothest`].
+    pub aim: Aim,
     /// Also prove what no curve of any form can fall below, for [`super::Objective::Part`]; takes
     /// as long again.
     pub bound_of_any: bool,
@@ -40,6 +52,7 @@ impl Default for SmoothOptions {
             turn_rad: 0.5_f64.to_radians(),
             margin_rad: MARGIN_DEG.to_radians(),
             gap: 5e-3,
+            aim: Aim::Smoothest,
             bound_of_any: false,
         }
     }

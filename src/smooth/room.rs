@@ -30,6 +30,16 @@ impl TubeRoom {
         along_mm: f64::INFINITY,
     };
 
+    /// A share of it.
+    pub fn times(&self, share: f64) -> TubeRoom {
+        TubeRoom {
+            inwards_mm: share * self.inwards_mm,
+            outwards_mm: share * self.outwards_mm,
+            across_mm: share * self.across_mm,
+            along_mm: share * self.along_mm,
+        }
+    }
+
     /// The lesser of both.
     pub fn and(self, other: &TubeRoom) -> TubeRoom {
         TubeRoom {

@@ -4,9 +4,9 @@ use super::form;
 use super::prove::{self, Proof};
 use super::room::TubeRoom;
 use super::start;
-use super::tube::{self, Tube};
+use super::tube::{self, Cells, Tube};
 use super::turn::TurningFit;
-use super::{Objective, SmoothOptions};
+use super::{Aim, Objective, SmoothOptions, fewest};
 use crate::artifact::curve::{CurveProof, CurveStretch};
 use crate::artifact::toolpath::CutterLocation;
 use crate::geometry::Vector;
@@ -45,9 +45,10 @@ pub(super) type Broken = Vec<[f64; 2]>;
 
 impl SmoothStretch<'_> {
     /// The curve, or where there is none. `None` where arc lengths do not rise or numbers are not
-    /// finite.
-    pub fn smooth(&self) -> Option<Result<CurveStretch, Broken>> {
-        let mut breaks = self.first_breaks()?;
+    /// finite. `like`: breaks on which there is one in a wider tube.
+    pub fn smooth(&self, like: Option<&Breaks>) -> Option<Result<CurveStretch, Broken>> {
+        let is_few = self.options.aim == Aim::Fewest;
+        let mut breaks = if is_few { self.few_breaks(like)? } else { self.first_breaks()? };
         let mut broken = Broken::new();
         for _ in 0..ROUNDS {
             let marks = match self.attempt(&breaks) {
@@ -57,7 +58,8 @@ impl SmoothStretch<'_> {
                 None if !broken.is_empty() => break,
                 None => return None,
             };
-            let marked = |i: usize| marks[i.saturating_sub(1)..(i + 2).min(marks.len())].contains(&true);
+            let beside = usize::from(!is_few);
+            let marked = |i: usize| marks[i.saturating_sub(beside)..(i + beside + 1).min(marks.len())].contains(&true);
             let named: Broken = (0..marks.len()).filter(|i| marks[*i]).map(|i| breaks.span(i)).collect();
             // What is named again and again stays; on very short spans others are named with it.
             let is_still = |[a, b]: &[f64; 2]| broken.iter().any(|[p, q]: &[f64; 2]| a < q && p < b);
@@ -92,7 +94,7 @@ impl SmoothStretch<'_> {
     }
 
     /// The room of the stretch as one.
-    fn allowed(&self) -> [f64; 3] {
+    pub fn allowed(&self) -> [f64; 3] {
         let r = self.room.iter().fold(TubeRoom::UNLIMITED, |a, b| a.and(b));
         [r.inwards_mm.min(r.outwards_mm), r.across_mm, r.along_mm]
     }
@@ -125,12 +127,15 @@ impl SmoothStretch<'_> {
             let k = theta_breaks.span_of(s);
             theta_breaks.weights(k, s).iter().zip(&theta[k..]).map(|(w, t)| w * t).sum::<f64>()
         };
-        let mut x = start::fit(self.locations, breaks, self.allowed(), EVEN[1])?;
+        let is_few = self.options.aim == Aim::Fewest;
+        let even = if is_few { fewest::EVEN } else { EVEN[1] };
+        let cells = if is_few { Cells::of_moves(breaks, self.locations) } else { Cells::whole(breaks) };
+        let mut x = start::fit(self.locations, breaks, self.allowed(), even)?;
         let limits = [self.options.inwards_mm, self.options.outwards_mm];
         let mut marks = Vec::new();
         for _ in 0..LOOKS {
-            let seen = tube::look(self.part, self.radius_mm, breaks, &x)?;
-            let tube = Tube { locations: self.locations, breaks, x: &x, seen: &seen, room: self.room };
+            let seen = tube::look(self.part, self.radius_mm, (breaks, &cells), &x)?;
+            let tube = Tube { locations: self.locations, breaks, cells: &cells, x: &x, seen: &seen, room: self.room };
             let (corrected, [square, bound]) = match self.correct(&tube, &angle, true) {
                 Ok(found) => found,
                 Err(missed) => return marked(missed),
@@ -144,8 +149,17 @@ impl SmoothStretch<'_> {
             let kept = |p: &Proof| p.inwards_mm <= limits[0] && p.outwards_mm <= limits[1];
             if proofs.iter().all(kept) {
                 let Proof { inwards_mm, outwards_mm } = prove::worst(&proofs);
-                let proof =
-                    CurveProof { inwards_mm, outwards_mm, square, bound, bound_of_any, theta_square, theta_bound };
+                let pieces_bound = is_few.then(|| self.least_pieces(breaks, &x));
+                let proof = CurveProof {
+                    inwards_mm,
+                    outwards_mm,
+                    square,
+                    bound,
+                    bound_of_any,
+                    theta_square,
+                    theta_bound,
+                    pieces_bound,
+                };
                 return Some(Ok(CurveStretch { breaks: breaks.clone(), centre: x, theta_breaks, theta, proof }));
             }
             marks = proofs.iter().map(|p| !kept(p)).collect();

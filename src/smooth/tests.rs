@@ -143,6 +143,60 @@ fn noise_across_a_helix_goes_and_the_curve_stays_where_the_part_wants_it() {
     assert!(any <= p.square && p.square < 1.1 * any, "{p:?}");
 }
 
+/// In the same room there are far fewer pieces, and the curve is within it everywhere.
+#[test]
+fn the_fewest_pieces_keep_within_the_tube() {
+    let (path, angles) = helix(1e-3);
+    let usual = SmoothOptions { inwards_mm: 0.5e-3, outwards_mm: 0.5e-3, ..SmoothOptions::default() };
+    let smoothest = smoothed(&path, &angles, &usual).unwrap();
+    let few = smoothed(&path, &angles, &SmoothOptions { aim: Aim::Fewest, ..usual }).unwrap();
+    assert!(few.left.is_empty() && few.stretches.len() == 1, "{:?}", few.left);
+    assert!(4 * few.pieces() < smoothest.pieces(), "{} {}", few.pieces(), smoothest.pieces());
+    let c = &few.stretches[0];
+    let bound = c.proof.pieces_bound.unwrap();
+    assert!(bound > 4 && bound <= c.pieces(), "{bound} {}", c.pieces());
+    assert!(smoothest.stretches[0].proof.pieces_bound.is_none());
+    assert!(c.proof.inwards_mm <= 0.5e-3 && c.proof.outwards_mm <= 0.5e-3);
+    let (mut last, end) = (f64::NEG_INFINITY, c.s_mm()[1]);
+    for k in 0..=20_000 {
+        let s = end * f64::from(k) / 20_000.0;
+        let place = c.at(s);
+        let p = place.point();
+        assert!((p.x.hypot(p.y) - CAN - BALL).abs() <= 0.5e-3 + 1e-9);
+        let row = path.locations.partition_point(|l| l.s_mm <= s).clamp(1, angles.len() - 1);
+        let near = &path.locations[row - 1];
+        assert!((p.z - near.centre.z).abs() < 0.03 * PITCH + PITCH * 2.0 / f64::from(PER_TURN) + 2e-3);
+        assert!(place.theta[0] >= last);
+        last = place.theta[0];
+    }
+}
+
+/// Locations on one polynomial of degree 5, over the flat end of the can: one piece is found.
+#[test]
+fn one_polynomial_is_one_piece() {
+    let place = |s: f64| {
+        let t = s / 8.0 - 1.0;
+        Point::new(s - 8.0, 2.0 * t.powi(5) - 1.5 * t.powi(3) + 0.3 * t, 40.0 + BALL)
+    };
+    let (mut path, _) = helix(0.0);
+    path.locations.truncate(0);
+    for k in 0..=320 {
+        let (s_mm, centre) = (0.05 * f64::from(k), place(0.05 * f64::from(k)));
+        let contact = centre - Vector::z() * BALL;
+        path.locations.push(CutterLocation { turn: 0, turn_s_mm: s_mm, s_mm, centre, contact, normal: Vector::z() });
+    }
+    path.turns = vec![Turn { first: 0, count: path.locations.len(), length_mm: 16.0 }];
+    let angles: Vec<f64> = path.locations.iter().map(|l| 0.1 * l.s_mm).collect();
+    let few = smoothed(&path, &angles, &SmoothOptions { aim: Aim::Fewest, ..SmoothOptions::default() }).unwrap();
+    assert_eq!((few.pieces(), few.stretches[0].proof.pieces_bound), (1, Some(1)), "{:?}", few.left);
+    for k in 0..=100 {
+        let s = 0.16 * f64::from(k);
+        // Across as far as ridges let it, up to 12 µm.
+        let off = few.stretches[0].at(s).point() - place(s);
+        assert!(off.norm() < 0.02 && off.z.abs() <= 0.25e-3 + 1e-9, "{off}");
+    }
+}
+
 /// Evening takes noise across the path down to a share, about a half of independent numbers, and
 /// leaves the ball on the part.
 #[test]
@@ -166,11 +220,13 @@ fn evened_touches_lie_on_the_part() {
 #[test]
 fn the_same_on_any_number_of_threads() {
     let (path, angles) = helix(1e-3);
-    let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| smoothed(&path, &angles, &SmoothOptions::default()).unwrap())
-    };
-    assert!(on(1) == on(3));
+    for aim in [Aim::Smoothest, Aim::Fewest] {
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| smoothed(&path, &angles, &SmoothOptions { aim, ..SmoothOptions::default() }).unwrap())
+        };
+        assert!(on(1) == on(3), "{aim:?}");
+    }
 }
 
 #[test]

@@ -1,14 +1,15 @@
 //! The tube: where the part lets the ball centre go, as limits on the ordinates of a correction to
 //! a curve.
 //!
-//! On every span of a curve the part is looked at from five places. The ball's distance off it is a
-//! polynomial of degree 4 through what they see, the normal one of degree 2 through three of them.
-//! With both, the distance of the corrected curve is a polynomial of degree 7, and limits on its
-//! ordinates hold all over the span. What these polynomials miss between the places is left to
-//! [`super::prove`], which measures the part itself.
+//! A span of a curve is one cell, or where it is long several of some moves each. On every cell the
+//! part is looked at from five places. The ball's distance off it is a polynomial of degree 4
+//! through what they see, the normal one of degree 2 through three of them. With both, the distance
+//! of the corrected curve is a polynomial of degree 7, and limits on its ordinates hold all over
+//! the cell. What these polynomials miss between the places is left to [`super::prove`], which
+//! measures the part itself.
 //!
 //! Across the path the curve keeps near to the polyline of the locations. Where these lie unevenly
-//! about the curve, the span is cut at them, so that the polyline is straight on each interval.
+//! about the curve, the cell is cut at them, so that the polyline is straight on each interval.
 
 use super::form::Form;
 use super::room::TubeRoom;
@@ -19,14 +20,16 @@ use crate::numerics::bounded::{Span, Strip, SumLimit};
 use crate::numerics::quintic::{Breaks, Map, ORDER, apply, weighed};
 use crate::parallel;
 
-/// Places of a span from which the part is looked at, evenly spread over it.
+/// Places of a cell from which the part is looked at, evenly spread over it.
 const PLACES: usize = 5;
 /// Degree of the distance as a polynomial: that of the spline and of the normal.
 const WHOLE: usize = 7;
-/// A span is cut at locations where these are spread by more than this share of the room across.
+/// A cell is cut at locations where these are spread by more than this share of the room across.
 const UNEVEN: f64 = 0.25;
 /// Spans of a unit of parallel work at least.
 const PER_THREAD: usize = 32;
+/// Locations inside a long span for each of its cells, at least.
+const PER_CELL: usize = 3;
 
 /// Normal, across and along the path at a location; unit vectors.
 pub(super) fn frame_at(locations: &[CutterLocation], k: usize) -> [Vector; 3] {
@@ -50,15 +53,61 @@ pub(super) struct TubePlace {
     pub normal: Vector,
 }
 
-/// Looks at the part from all spans of a curve. `None` where it is nowhere near.
+/// An interval of a span.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    span: usize,
+    ends: [f64; 2],
+}
+
+/// Cells of all spans, in order.
+#[derive(Clone, Debug)]
+pub(super) struct Cells {
+    all: Vec<Cell>,
+    /// The first cell of each span, and one more for the end.
+    first: Vec<usize>,
+}
+
+impl Cells {
+    /// One for each span.
+    pub fn whole(breaks: &Breaks) -> Cells {
+        let all = (0..breaks.spans()).map(|span| Cell { span, ends: breaks.span(span) }).collect();
+        Cells { all, first: (0..=breaks.spans()).collect() }
+    }
+
+    /// Of some moves each, from location to location.
+    pub fn of_moves(breaks: &Breaks, locations: &[CutterLocation]) -> Cells {
+        let (mut all, mut first) = (Vec::new(), vec![0]);
+        for span in 0..breaks.spans() {
+            let [a, b] = breaks.span(span);
+            let from = locations.partition_point(|l| l.s_mm <= a);
+            let inside = locations.partition_point(|l| l.s_mm < b).saturating_sub(from);
+            let parts = (inside / PER_CELL).max(1);
+            let end = |j: usize| match j {
+                0 => a,
+                j if j == parts => b,
+                j => locations[from + j * inside / parts].s_mm,
+            };
+            all.extend((0..parts).map(|j| Cell { span, ends: [end(j), end(j + 1)] }));
+            first.push(all.len());
+        }
+        Cells { all, first }
+    }
+
+    fn of(&self, span: usize) -> std::ops::Range<usize> {
+        self.first[span]..self.first[span + 1]
+    }
+}
+
+/// Looks at the part from all cells of a curve. `None` where it is nowhere near.
 pub(super) fn look(
     part: &Allowed,
     radius_mm: f64,
-    breaks: &Breaks,
+    (breaks, cells): (&Breaks, &Cells),
     x: &[[f64; 3]],
 ) -> Option<Vec<[TubePlace; PLACES]>> {
-    let see = |i: usize| {
-        let [a, b] = breaks.span(i);
+    let see = |cell: &Cell| {
+        let (i, [a, b]) = (cell.span, cell.ends);
         let mut out = [TubePlace { off_mm: 0.0, normal: Vector::zeros() }; PLACES];
         for (k, seen) in out.iter_mut().enumerate() {
             let s = a + (b - a) * k as f64 / (PLACES - 1) as f64;
@@ -69,7 +118,7 @@ pub(super) fn look(
         }
         Some(out)
     };
-    parallel::map_short(PER_THREAD, 0..breaks.spans(), see).into_iter().collect()
+    parallel::map_short(PER_THREAD, &cells.all, see).into_iter().collect()
 }
 
 /// Ordinates of degree 7 of the polynomial of degree 4 through values at the five places.
@@ -106,8 +155,10 @@ fn binomial(n: usize, k: usize) -> f64 {
 pub(super) struct Tube<'a> {
     pub locations: &'a [CutterLocation],
     pub breaks: &'a Breaks,
+    pub cells: &'a Cells,
     /// Control points.
     pub x: &'a [[f64; 3]],
+    /// What each cell sees.
     pub seen: &'a [[TubePlace; PLACES]],
     /// The room by location.
     pub room: &'a [TubeRoom],
@@ -116,7 +167,10 @@ pub(super) struct Tube<'a> {
 impl Tube<'_> {
     /// Limits and objective of the correction, span by span, and the objective of the curve itself.
     pub fn spans(&self, form: &(dyn Fn(usize) -> Form<18> + Sync)) -> (Vec<Span<3, 18>>, f64) {
-        self.each(form, |i| (self.normal_rows(i), self.strips(i)))
+        self.each(form, |i| {
+            let cells = self.cells.of(i);
+            (cells.clone().flat_map(|c| self.normal_rows(c)).collect(), cells.flat_map(|c| self.strips(c)).collect())
+        })
     }
 
     /// As [`Tube::spans`] with limits at the breaks alone: no curve in the tube has less than what
@@ -124,8 +178,12 @@ impl Tube<'_> {
     pub fn at_breaks(&self, form: &(dyn Fn(usize) -> Form<18> + Sync)) -> (Vec<Span<3, 18>>, f64) {
         let last = self.breaks.spans() - 1;
         self.each(form, |i| {
-            let ends = if i == last { vec![0, PLACES - 1] } else { vec![0] };
-            (ends.into_iter().flat_map(|k| self.rows_at(i, k)).collect(), Vec::new())
+            let cells = self.cells.of(i);
+            let mut rows = self.rows_at(cells.start, 0);
+            if i == last {
+                rows.extend(self.rows_at(cells.end - 1, PLACES - 1));
+            }
+            (rows, Vec::new())
         })
     }
 
@@ -148,21 +206,22 @@ impl Tube<'_> {
         self.breaks.ordinates(i, interval)
     }
 
-    /// Locations of a span, and one on either side.
-    fn near(&self, i: usize) -> std::ops::Range<usize> {
-        let [a, b] = self.breaks.span(i);
+    /// Locations of a cell, and one on either side.
+    fn near(&self, cell: usize) -> std::ops::Range<usize> {
+        let [a, b] = self.cells.all[cell].ends;
         let from = self.locations.partition_point(|l| l.s_mm < a).saturating_sub(1);
         from..(self.locations.partition_point(|l| l.s_mm <= b) + 1).min(self.locations.len())
     }
 
-    /// The least room of the locations about a span.
-    fn room(&self, i: usize) -> TubeRoom {
-        self.room[self.near(i)].iter().fold(TubeRoom::UNLIMITED, |a, b| a.and(b))
+    /// The least room of the locations about a cell.
+    fn room(&self, cell: usize) -> TubeRoom {
+        self.room[self.near(cell)].iter().fold(TubeRoom::UNLIMITED, |a, b| a.and(b))
     }
 
-    /// Limits along the normal, all over a span.
-    fn normal_rows(&self, i: usize) -> Vec<SumLimit<18>> {
-        let (seen, room, map) = (&self.seen[i], self.room(i), self.map(i, self.breaks.span(i)));
+    /// Limits along the normal, all over a cell.
+    fn normal_rows(&self, cell: usize) -> Vec<SumLimit<18>> {
+        let Cell { span, ends } = self.cells.all[cell];
+        let (seen, room, map) = (&self.seen[cell], self.room(cell), self.map(span, ends));
         let [n0, n1, n2] = [0, 2, 4].map(|k| seen[k].normal);
         let normals = [n0, n1 * 2.0 - (n0 + n2) * 0.5, n2];
         let off = through(seen.map(|s| s.off_mm));
@@ -178,22 +237,22 @@ impl Tube<'_> {
         (0..=WHOLE).map(row).collect()
     }
 
-    /// Across and along at place `k` of a span.
-    fn sides(&self, i: usize, k: usize) -> [Vector; 2] {
-        let map = self.map(i, self.breaks.span(i));
-        let [first, .., last] = apply(&map, &self.x[i..]);
-        let [_, across, along] = frame(&self.seen[i][k].normal, &(Vector::from(last) - Vector::from(first)));
+    /// Across and along at place `k` of a cell.
+    fn sides(&self, cell: usize, k: usize) -> [Vector; 2] {
+        let Cell { span, ends } = self.cells.all[cell];
+        let [first, .., last] = apply(&self.map(span, ends), &self.x[span..]);
+        let [_, across, along] = frame(&self.seen[cell][k].normal, &(Vector::from(last) - Vector::from(first)));
         [across, along]
     }
 
-    /// Limits across and along the path, all over a span.
-    fn strips(&self, i: usize) -> Vec<Strip<3>> {
-        let ([a, b], room) = (self.breaks.span(i), self.room(i));
+    /// Limits across and along the path, all over a cell.
+    fn strips(&self, cell: usize) -> Vec<Strip<3>> {
+        let (Cell { span: i, ends: [a, b] }, room) = (self.cells.all[cell], self.room(cell));
         let map = self.map(i, [a, b]);
-        let [across, along] = self.sides(i, PLACES / 2);
+        let [across, along] = self.sides(cell, PLACES / 2);
         let strip = |map, direction: Vector, lo, hi| Strip { map, direction: direction.into(), lo, hi };
         let mut out = vec![strip(map, along, [-room.along_mm; ORDER], [room.along_mm; ORDER])];
-        let moves = self.locations[self.near(i)].windows(2);
+        let moves = self.locations[self.near(cell)].windows(2);
         let moves = moves.map(|w| (w, [w[0].s_mm.max(a), w[1].s_mm.min(b)])).filter(|(_, [p, q])| p < q);
         let miss = |w: &[CutterLocation], s: f64| {
             across.dot(&(between(w, s) - Vector::from(weighed(&self.x[i..], &self.breaks.weights(i, s)))))
@@ -223,12 +282,13 @@ impl Tube<'_> {
         out
     }
 
-    /// Limits at a place of a span.
-    fn rows_at(&self, i: usize, k: usize) -> Vec<SumLimit<18>> {
-        let ([a, b], room, seen) = (self.breaks.span(i), self.room(i), self.seen[i][k]);
+    /// Limits at a place of a cell.
+    fn rows_at(&self, cell: usize, k: usize) -> Vec<SumLimit<18>> {
+        let (Cell { span: i, ends: [a, b] }, room) = (self.cells.all[cell], self.room(cell));
+        let seen = self.seen[cell][k];
         let s = a + (b - a) * k as f64 / (PLACES - 1) as f64;
         let w = self.breaks.weights(i, s);
-        let [across, along] = self.sides(i, k);
+        let [across, along] = self.sides(cell, k);
         let after = self.locations.partition_point(|l| l.s_mm <= s).clamp(1, self.locations.len() - 1);
         let there = between(&self.locations[after - 1..=after], s);
         let miss = across.dot(&(there - Vector::from(weighed(&self.x[i..], &w))));

@@ -34,6 +34,8 @@ const MOMENT_S: f64 = 0.01;
 const AT_END_MM: f64 = 0.05;
 /// Places looked at within a move, its end among them.
 const WITHIN: usize = 8;
+/// Steps to the nearest place of a line that bends, each by a third.
+const NARROWED: usize = 40;
 /// Plan moves looked ahead for the one that a place belongs to: lines may be left out where
 /// locations round to one.
 const AHEAD: usize = 12;
@@ -242,10 +244,31 @@ impl Comparison<'_> {
         }
         for row in at + 1..=here {
             let Some(l) = self.motion.rows().get(row) else { break };
-            let off = poses.windows(2).map(|w| to_segment(&l.stand.centre, &w[0].centre, &w[1].centre).1);
-            self.missing.take(off.fold(f64::INFINITY, f64::min), m.line, row);
+            let off = self.off_line(m, &poses, &l.stand.centre);
+            self.missing.take(off, m.line, row);
         }
         here
+    }
+
+    /// How far a place is from a line, mm: from the polyline through its poses, or where it bends
+    /// from the line itself about the nearest of these.
+    fn off_line(&self, m: &Moved, poses: &[Pose], place: &Point) -> f64 {
+        let off = poses.windows(2).map(|w| to_segment(place, &w[0].centre, &w[1].centre).1);
+        let nearest = off.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((k, _)) = nearest.filter(|(_, off)| m.bend.is_some() && *off > ROUNDED_MM) else {
+            return nearest.map_or(f64::INFINITY, |(_, off)| off);
+        };
+        let at = |share: f64| (m.pose(share, self.tool, self.machine).centre - place).norm();
+        let [mut low, mut high] = [k.saturating_sub(1), (k + 2).min(WITHIN)].map(|k| k as f64 / WITHIN as f64);
+        for _ in 0..NARROWED {
+            let third = (high - low) / 3.0;
+            if at(low + third) < at(high - third) {
+                high -= third;
+            } else {
+                low += third;
+            }
+        }
+        at(0.5 * (low + high))
     }
 
     /// How far a line turns against the plan: the same axis may be reached the other way round, or

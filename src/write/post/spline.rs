@@ -27,8 +27,8 @@ use crate::parallel;
 const OFF_MM: f64 = 1e-4;
 /// The same of rotary axes, degrees.
 const OFF_DEG: f64 = 1e-5;
-/// Gauss points of a piece, on [0, 1], and their weights: polynomials of degree 11 are integrated
-/// exactly.
+/// Gauss points of an interval, on [0, 1], and their weights: polynomials of degree 11 are
+/// integrated exactly.
 const GAUSS: [[f64; 2]; 6] = [
     [0.033_765_242_898_423_99, 0.085_662_246_189_585_17],
     [0.169_395_306_766_867_74, 0.180_380_786_524_069_3],
@@ -37,7 +37,7 @@ const GAUSS: [[f64; 2]; 6] = [
     [0.830_604_693_233_132_3, 0.180_380_786_524_069_3],
     [0.966_234_757_101_576, 0.085_662_246_189_585_17],
 ];
-/// Places of a piece that are looked at, shares of it.
+/// Places of an interval that are looked at, shares of it.
 const LOOKED_AT: [f64; 8] = [0.0, 0.1, 0.25, 0.42, 0.58, 0.75, 0.9, 1.0];
 /// Breaks begin no nearer to one another than this share of their mean distance.
 const THINNED: f64 = 0.25;
@@ -85,15 +85,16 @@ impl CurveRun<'_> {
 
     /// Control values of all words on breaks, the nearest in the mean square. `None` where breaks
     /// are too near to one another for floating-point numbers.
-    fn fit(&self, breaks: &Breaks) -> Option<Vec<Vec<f64>>> {
+    fn fit(&self, breaks: &Breaks, own: &Breaks) -> Option<Vec<Vec<f64>>> {
         let columns = self.run.machine.axes().len();
         let spans: Vec<Vec<([f64; ORDER], f64, Axes)>> = parallel::map_short(64, 0..breaks.spans(), |i| {
-            let [a, b] = breaks.span(i);
-            let at = |[share, weight]: [f64; 2]| {
-                let s = a + (b - a) * share;
-                (breaks.weights(i, s), weight * (b - a), self.words_at(s))
+            let of = |[a, b]: [f64; 2]| {
+                GAUSS.map(|[share, weight]| {
+                    let s = a + (b - a) * share;
+                    (breaks.weights(i, s), weight * (b - a), self.words_at(s))
+                })
             };
-            GAUSS.map(at).to_vec()
+            intervals(own, breaks.span(i)).into_iter().flat_map(of).collect()
         });
         let mut band = vec![[0.0; ORDER]; breaks.controls()];
         let mut sides = vec![vec![0.0; breaks.controls()]; columns];
@@ -120,11 +121,10 @@ impl CurveRun<'_> {
     }
 
     /// Whether a piece is too far off one of the words. `is`: what it has for a word at a share.
-    fn is_off(&self, breaks: &Breaks, i: usize, is: impl Fn(f64, usize) -> f64) -> bool {
-        let [a, b] = breaks.span(i);
+    fn is_off(&self, intervals: &[[f64; 2]], is: impl Fn(f64, usize) -> f64) -> bool {
         let axes = self.run.machine.axes();
-        LOOKED_AT.iter().any(|share| {
-            let s = a + (b - a) * share;
+        let places = intervals.iter().flat_map(|[a, b]| LOOKED_AT.map(|share| a + (b - a) * share));
+        places.into_iter().any(|s| {
             let want = self.words_at(s);
             (0..axes.len()).any(|k| {
                 let most = if axes[k].is_rotary() { OFF_DEG } else { OFF_MM };
@@ -173,9 +173,9 @@ impl CurveRun<'_> {
         };
         for _ in 0..ROUNDS {
             let off = if degree == DEGREE {
-                let controls = self.fit(&breaks).ok_or_else(none)?;
+                let controls = self.fit(&breaks, &own).ok_or_else(none)?;
                 let off = marked(&breaks, &|i| {
-                    self.is_off(&breaks, i, |s, k| {
+                    self.is_off(&intervals(&own, breaks.span(i)), |s, k| {
                         let w = breaks.weights(i, s);
                         (0..ORDER).map(|j| w[j] * controls[k][i + j]).sum()
                     })
@@ -194,7 +194,9 @@ impl CurveRun<'_> {
                 let piece = |i: usize, k: usize| spline.coefficients(i, k).unwrap_or([f64::NAN; 4]);
                 let off = marked(&breaks, &|i| {
                     let from = breaks.span(i)[0];
-                    self.is_off(&breaks, i, |s, k| piece(i, k).iter().rev().fold(0.0, |v, c| v * (s - from) + c))
+                    self.is_off(&intervals(&own, breaks.span(i)), |s, k| {
+                        piece(i, k).iter().rev().fold(0.0, |v, c| v * (s - from) + c)
+                    })
                 });
                 if !off.contains(&true) {
                     return Ok(self.written(&breaks, |i, k| {
@@ -226,6 +228,15 @@ impl CurveRun<'_> {
         };
         (0..breaks.spans()).map(of).collect()
     }
+}
+
+/// An interval, parted at the breaks of the curve inside it: between them words are smooth.
+fn intervals(own: &Breaks, [a, b]: [f64; 2]) -> Vec<[f64; 2]> {
+    let all = own.all();
+    let inside = &all[all.partition_point(|s| *s <= a)..];
+    let inside = inside.iter().copied().take_while(|s| *s < b);
+    let ends: Vec<f64> = [a].into_iter().chain(inside).chain([b]).collect();
+    ends.windows(2).map(|w| [w[0], w[1]]).collect()
 }
 
 /// Coefficients of `p²` to `p⁵`, from those of Bernstein's basis.
@@ -320,6 +331,7 @@ mod tests {
         let own = Breaks::new(vec![0.0, 1.0, 1.4, 2.0, 3.0]).expect("breaks");
         let thin = own.thinned(1.9);
         assert_eq!(thin.all(), [0.0, 3.0]);
+        assert_eq!(intervals(&own, [0.5, 1.4]), [[0.5, 1.0], [1.0, 1.4]]);
         let once = finer(&thin, &own, &[true]).expect("breaks");
         assert_eq!(once.all(), [0.0, 1.4, 3.0]);
         let twice = finer(&once, &own, &[true, false]).expect("breaks");
