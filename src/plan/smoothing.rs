@@ -36,6 +36,9 @@ const RIDGES: usize = 60_000;
 const NARROWED: [f64; 2] = [0.2, 0.7];
 /// … so far around both passes, mm.
 const ABOUT_RIDGE_MM: f64 = 1.0;
+/// A curve of few pieces may be off the part by this share of what ridges may grow by: they also
+/// grow by what it goes across, and at its own rows others are counted.
+const OFF: f64 = 0.25;
 /// How often the curve is made anew, nearer to the path at places where it does not keep clear, …
 const NEARER: usize = 2;
 /// … each time with this share of the room there, and so far around them, mm.
@@ -103,7 +106,7 @@ pub(crate) fn smoothed(
     // What the check lets pass, or what the path has anyway.
     let own_mm = ridges_mm(old);
     let most_mm = (verify_options.settings.scallop_ratio * verify_options.scallop_mm).max(own_mm);
-    less_off(&mut options, most_mm - own_mm);
+    less_off(&mut options, OFF * (most_mm - own_mm));
     let mut found = make(&options, &shares, None)?;
     let mut kept: Vec<[f64; 2]> = Vec::new();
     let (mut nearer, mut narrower) = (0, 0);
@@ -120,14 +123,15 @@ pub(crate) fn smoothed(
                 return given_up(WhyNone::Ridges);
             }
             narrower += 1;
-            less_off(&mut options, 0.0);
+            // A curve with more room off the part has too few breaks to begin with.
+            let is_same = !less_off(&mut options, 0.0);
             if narrower > NARROWER - NARROWER_ALL {
                 options.across *= 0.5;
             } else {
                 let on = OnRidges { setup, options: &verify_options, most_mm };
                 timed(observer, Stage::Smooth, || on.narrow(old, &path, &curve, &mut shares));
             }
-            found = make(&options, &shares, Some(&found))?;
+            found = make(&options, &shares, Some(&found).filter(|_| is_same))?;
             continue;
         }
         let channel = match channel_on(setup, before, &path, &curve, observer) {
@@ -164,13 +168,16 @@ fn nearer_about(places: &[[f64; 2]], old: &Toolpath, shares: &mut [Share]) {
     }
 }
 
-/// Ridges grow by what the ball is farther off the part. A curve of few pieces, which uses all of
-/// its room, gets no more of it than ridges have, or than the smoothest one has anyway.
-fn less_off(options: &mut SmoothOptions, ridges_mm: f64) {
-    if options.aim == Aim::Fewest {
-        let most_mm = ridges_mm.max(SmoothOptions::default().outwards_mm);
-        options.outwards_mm = options.outwards_mm.min(most_mm);
+/// Ridges grow by what the ball is farther off the part. A curve of few pieces uses all of its
+/// room: where that is more than ridges may grow by, it gets what the smoothest curve has. Whether
+/// it had more.
+fn less_off(options: &mut SmoothOptions, may_grow_mm: f64) -> bool {
+    let usual_mm = SmoothOptions::default().outwards_mm;
+    let is_less = options.aim == Aim::Fewest && options.outwards_mm > usual_mm.max(may_grow_mm);
+    if is_less {
+        options.outwards_mm = usual_mm;
     }
+    is_less
 }
 
 /// Ridges beside those of the path as it is.

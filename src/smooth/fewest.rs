@@ -40,8 +40,8 @@ const FINER: usize = 8;
 const FIRST_ROUND: [usize; 2] = [3, 3];
 /// … and in the others, so that places without room are told apart.
 const OTHERS: [usize; 2] = [6, 10];
-/// Rounds, and where the search begins with the breaks of another curve.
-const ROUNDS: [usize; 2] = [9, 2];
+/// Rounds at most, and where the search begins with the breaks of another curve.
+const ROUNDS: [usize; 2] = [9, 4];
 /// Tries of a round.
 const TRIES: usize = 3;
 /// Of the breaks that are taken out those come back that are no more spans than this from one that
@@ -59,8 +59,13 @@ impl SmoothStretch<'_> {
             if !lacks.contains(&true) {
                 break;
             }
-            breaks = start::halved(&breaks, |i| lacks[i])?;
+            // Where numbers are too coarse for that, the curve is sought as it is.
+            let Some(finer) = start::halved(&breaks, |i| lacks[i]) else { return Some(breaks) };
+            breaks = finer;
             found = self.nearest(&breaks, LOOKS[0])?;
+        }
+        if found.missed.iter().any(|m| *m > NO_ROOM) {
+            return Some(breaks);
         }
         let mut refused: Vec<f64> = Vec::new();
         for round in 0..ROUNDS[usize::from(like.is_some())] {

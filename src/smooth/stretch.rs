@@ -48,7 +48,8 @@ impl SmoothStretch<'_> {
     /// finite. `like`: breaks on which there is one in a wider tube.
     pub fn smooth(&self, like: Option<&Breaks>) -> Option<Result<CurveStretch, Broken>> {
         let is_few = self.options.aim == Aim::Fewest;
-        let mut breaks = if is_few { self.few_breaks(like)? } else { self.first_breaks()? };
+        let few = if is_few { self.few_breaks(like) } else { None };
+        let mut breaks = few.or_else(|| self.first_breaks())?;
         let mut broken = Broken::new();
         for _ in 0..ROUNDS {
             let marks = match self.attempt(&breaks) {
