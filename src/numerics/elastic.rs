@@ -2,7 +2,7 @@
 //!
 //! In: spans with limits, as [`super::bounded`] takes them. Out: the control values for which the
 //! sum of the squares of what limits are missed by, each over half its width, is least; and span by
-//! span the worst miss. Where all limits can be kept nothing is missed, up to [`PULL`].
+//! span the worst miss. Where all limits can be kept little is missed, see [`PULL`].
 //!
 //! ## Method
 //! With `m(r)` the miss of a row and `c(r)` its distance from the middle, both over half the width,
@@ -18,7 +18,9 @@ use super::bounded::{Factor, Span};
 use super::quintic::ORDER;
 use crate::parallel;
 
-/// Weight of the middle of a row beside its limits.
+/// Weight of the middle of a row beside its limits. Where all limits can be kept, the sum of the
+/// squares of the misses is at most this share of the number of rows: that is the sum of any
+/// control values within the limits.
 const PULL: f64 = 1e-3;
 /// Steps at most.
 const MOST: usize = 14;
@@ -185,7 +187,8 @@ mod tests {
     }
 
     proptest! {
-        /// Limits about a spline that there is are kept, but for what the pull to the middle takes.
+        /// Limits about a spline that there is are kept, but for what the pull to the middle takes:
+        /// the sum that is made least is no greater than that spline's own.
         #[test]
         fn limits_that_can_be_kept_are_kept(
             steps in prop::collection::vec(0.5..2.0f64, 2..9),
@@ -202,7 +205,10 @@ mod tests {
                 span.strips[0].hi = own.map(|[v]| v + width);
             }
             let found = nearest(&all).unwrap();
-            prop_assert!(found.missed.iter().all(|m| *m < 0.02), "{:?}", found.missed);
+            let rows = (ORDER * breaks.spans()) as f64;
+            let own = PULL * rows * (0.45_f64 / 0.55).powi(2);
+            let squares: f64 = found.missed.iter().map(|m| m * m).sum();
+            prop_assert!(squares <= (1.0 + 2.0 * LITTLE) * own, "{:?} {own}", found.missed);
         }
     }
 

@@ -99,7 +99,7 @@ pub struct SmoothFigures {
     pub locations_before: usize,
     /// Pieces of the curve and straight moves.
     pub pieces: usize,
-    /// With `feed.fit_mm` the least number of pieces that any such curve has, as far as it is known.
+    /// With `feed.fit_mm` the least number of pieces that any such curve has, where it is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pieces_bound: Option<usize>,
     /// Machining time before, s.

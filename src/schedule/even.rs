@@ -11,9 +11,9 @@
 //! more speed of all turns between them no schedule exists.
 //!
 //! *Least spread*: where the ball may not be as slow as one speed of turning would have it, the
-//! speed varies within turns, from `ω / spread` to `ω`. That is a wider band of slopes, from `ω / (spread
-//! v_max)` to `ω / v_min`. The least spread with a schedule is found by bisection, up to
-//! [`MOST_SPREAD`]. With [`SPREAD_BY`] less there is none, between two places that are named.
+//! speed varies within turns, from `ω / spread` to `ω`. That is a wider band of slopes, from
+//! `ω / (spread v_max)` to `ω / v_min`. The least spread with a schedule is found by bisection, up
+//! to [`MOST_SPREAD`]. With [`SPREAD_BY`] less there is none, between two places that are named.
 //!
 //! *The curve*: of all in the band with a small share less than these speeds that with the least
 //! `∫ θ'''² ds`, by the solver of kind `optimal`.
