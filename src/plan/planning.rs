@@ -26,7 +26,7 @@ const MOST_ENDS: usize = 12;
 pub(crate) enum Reached {
     Path(Toolpath),
     Channel(Toolpath, Channel),
-    Schedule(Toolpath, Channel, Schedule),
+    Schedule(Box<(Toolpath, Channel, Schedule)>),
     /// The whole plan, and a fixed lead under the same limits.
     Motion(Box<(Plan, Baseline)>),
 }
@@ -87,7 +87,7 @@ pub(crate) fn stages(
     }
     if until == Some(Stage::Schedule) {
         let toolpath = discs::placed(&toolpath, &setup.job.tool, &schedule.theta).into_owned();
-        return Ok(Reached::Schedule(toolpath, channel, schedule));
+        return Ok(Reached::Schedule(Box::new((toolpath, channel, schedule))));
     }
     let mut curve = known_curve;
     if setup.job.feed.smooth && curve.is_none() {

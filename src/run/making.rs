@@ -171,7 +171,7 @@ fn write_as_far(reached: &Reached, folder: &mut RunFolder) -> Result<Option<Stop
     let (path, channel, schedule) = match reached {
         Reached::Path(path) => (path, None, None),
         Reached::Channel(path, channel) => (path, Some(channel), None),
-        Reached::Schedule(path, channel, schedule) => (path, Some(channel), Some(schedule)),
+        Reached::Schedule(all) => (&all.0, Some(&all.1), Some(&all.2)),
         Reached::Motion(..) => return Ok(None),
     };
     folder.add_json("toolpath.json", path)?;
