@@ -121,7 +121,6 @@ fn a_hollow_side_is_refused_with_the_inclination_that_would_do() {
 fn what_is_for_balls_only_is_refused_before_anything_is_planned() {
     for (key, what) in [
         ("feed.smooth=true", "feed.smooth"),
-        ("channel.offset_mm=[-2.0, 2.0]", "channel.offset_mm"),
         ("schedule.kind=\"lower-wall\"", "channel.prove_moves"),
         ("channel.exact_ends=true", "channel.exact_ends"),
         ("path.compare=true", "path.compare"),

@@ -345,6 +345,9 @@ fn a_bull_nose_cuts_a_blade_that_turns_evenly() {
     let stays = ["machine.b_deg=0", "schedule.kind=\"eccentric\"", "region.start_mm=30", "region.end_mm=22"];
     let e = refused(&[&bull[..], &stays].concat(), machine("mill_turn_cb.toml"));
     assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoOffset { .. })), "{e}");
+    let within = ["machine.b_deg=0", "channel.offset_mm=[-1.0, 1.0]", "region.start_mm=30", "region.end_mm=22"];
+    let e = refused(&[&bull[..], &within].concat(), machine("mill_turn_cb.toml"));
+    assert!(e.kind == ErrorKind::Infeasible && e.message.contains("Y (channel.offset_mm)"), "{e}");
 }
 
 /// Widths of passes beside the first-order ones of a published table for turn-milling (Shi, Qiao

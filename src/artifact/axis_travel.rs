@@ -8,14 +8,25 @@
 //! ```
 //!
 //! with three affine functions of `c`: where the axis may not be is an arc of θ or two.
+//!
+//! A cutter with a corner has the centre of its disc in the place of `c`, and that goes about the
+//! corner's with θ ([`CornerPlace`]). What is left of θ is then found by halving intervals, whose
+//! middle and the greatest rate of `q` say whether all of them is within the travel or beyond it.
 
 use std::f64::consts::TAU;
 
-use crate::geometry::Point;
+use super::Cone;
+use crate::geometry::{Point, Vector};
 use crate::numerics::angle::nearest_turn;
 
 /// Less than this is rounding where arcs meet, rad.
 const SLIVER: f64 = 1e-12;
+
+/// Intervals of θ are halved down to this, rad: what is left is short of the travel by so much.
+const HALVED_RAD: f64 = 2e-5;
+/// The sine of the angle between tool axis and normal is no less than this where a disc's centre is
+/// followed.
+const LEAST_SINE: f64 = 1e-3;
 
 /// Factors that differ by less are the same.
 const SAME: f64 = 1e-9;
@@ -118,6 +129,66 @@ impl AxisTravel {
     }
 }
 
+/// A cutter with a corner that touches the part at a place, whatever its axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CornerPlace {
+    /// Centre of the corner, blade frame, mm.
+    pub corner: Point,
+    /// The part's outward normal there, unit.
+    pub normal: Vector,
+    /// The tool axes.
+    pub cone: Cone,
+    /// Radius of the disc that the corner rolls over, mm.
+    pub disc_radius_mm: f64,
+}
+
+impl CornerPlace {
+    /// Centre of the disc at an angle of the tool axis, blade frame, mm; the corner's where the
+    /// axis is along the normal.
+    pub fn disc_centre(&self, theta_rad: f64) -> Point {
+        let axis = self.cone.tool_axis(theta_rad);
+        let across = self.normal - axis * axis.dot(&self.normal);
+        self.corner + across.try_normalize(1e-12).unwrap_or_else(Vector::zeros) * self.disc_radius_mm
+    }
+}
+
+impl AxisTravel {
+    /// As [`Self::left_of`], for a cutter with a corner: no more than is within the travel, and
+    /// short of that by [`HALVED_RAD`] at most. `least_angle_rad`: the angle between tool axis and
+    /// normal is nowhere less.
+    pub fn left_of_disc(
+        &self,
+        place: &CornerPlace,
+        interval: [f64; 2],
+        least_angle_rad: f64,
+    ) -> Vec<([f64; 2], [bool; 2])> {
+        // With the unit vector u from the corner's centre to the disc's, q = mean + cos cos θ + sin
+        // sin θ of `corner + r u`. The axis turns by no more than θ, so u turns about the normal
+        // and towards it by no more than θ over the sine of the angle between axis and normal.
+        let size = |f: &Affine| Vector::new(f[1], f[2], f[3]).norm();
+        let [_, cos, sin] = self.wave(&place.corner);
+        let turns = size(&self.cos).hypot(size(&self.sin));
+        let goes = (size(&self.mean) + turns) / least_angle_rad.sin().max(LEAST_SINE);
+        let rate = cos.hypot(sin) + place.disc_radius_mm * (turns + goes);
+        let mut left: Vec<[f64; 2]> = Vec::new();
+        let mut open = vec![interval];
+        while let Some([lo, hi]) = open.pop() {
+            let (middle, most) = (0.5 * (lo + hi), 0.5 * rate * (hi - lo));
+            let at = self.at(&place.disc_centre(middle), middle);
+            let room = (at - self.limits_mm[0]).min(self.limits_mm[1] - at);
+            if room >= most {
+                match left.last_mut().filter(|before| before[1] == lo) {
+                    Some(before) => before[1] = hi,
+                    None => left.push([lo, hi]),
+                }
+            } else if room > -most && hi - lo > HALVED_RAD {
+                open.extend([[middle, hi], [lo, middle]]);
+            }
+        }
+        left.into_iter().map(|ends| (ends, [ends[0] == interval[0], ends[1] == interval[1]])).collect()
+    }
+}
+
 /// Offset of the plane that the tool axes of an angle θ lie in from the blade axis, as seen from a
 /// ball centre, mm: `y sin θ − z cos θ = ρ sin(θ − ψ)`. It is the Y of the ball centre where the
 /// blade axis is X and the tool comes from +Z, whatever the lean (eccentricity in turn-milling).
@@ -165,6 +236,37 @@ mod tests {
             }
         }
         assert!(of_both_kinds.iter().all(|n| *n > 100_000), "{of_both_kinds:?}");
+    }
+
+    #[test]
+    fn what_is_left_of_a_disc_is_where_the_axis_is_within_its_travel() {
+        let mut of_both_kinds = [0, 0];
+        for k in 0..100 {
+            let f = f64::from(k);
+            let normal = Vector::new(0.3 * (0.9 * f).sin(), (0.37 * f).sin(), (0.37 * f).cos()).normalize();
+            let corner = Point::new(f, 20.0 * (0.37 * f).sin(), 15.0 * (0.37 * f).cos());
+            let cone = Cone::about_blade(0.1 * (0.5 * f).cos());
+            let place = CornerPlace { corner, normal, cone, disc_radius_mm: 6.0 };
+            let limits_mm = [-6.0 + 5.0 * (0.11 * f).sin(), 1.0 + 5.0 * (0.23 * f).sin().abs()];
+            let travel = AxisTravel::of_offset("Y", limits_mm);
+            let azimuth = normal.z.atan2(normal.y);
+            let interval = [azimuth + 0.05, azimuth + 0.6];
+            let angle = |theta: f64| cone.tool_axis(theta).angle(&normal);
+            let least = (0..=100).map(|i| angle(interval[0] + 0.0055 * f64::from(i))).fold(f64::INFINITY, f64::min);
+            let left = travel.left_of_disc(&place, interval, least);
+            for i in 0..=2000 {
+                let theta = interval[0] + (interval[1] - interval[0]) * f64::from(i) / 2000.0;
+                let at = travel.at(&place.disc_centre(theta), theta);
+                let room = (at - limits_mm[0]).min(limits_mm[1] - at);
+                let is_left = left.iter().any(|([a, b], _)| (*a..=*b).contains(&theta));
+                of_both_kinds[usize::from(is_left)] += 1;
+                // Nothing beyond the travel is left, and all is that is within it by more than the
+                // axis goes in the shortest interval.
+                assert!(if is_left { room >= -1e-9 } else { room < 0.01 }, "{k}: θ {theta}, room {room}");
+            }
+            assert!(left.windows(2).all(|w| w[0].0[1] < w[1].0[0]), "{left:?}");
+        }
+        assert!(of_both_kinds.iter().all(|n| *n > 10_000), "{of_both_kinds:?}");
     }
 
     #[test]

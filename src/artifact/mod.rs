@@ -30,7 +30,7 @@ pub mod wheel;
 
 pub use axes::{Axes, AxisRows};
 pub use axis_motion::AxisMotion;
-pub use axis_travel::AxisTravel;
+pub use axis_travel::{AxisTravel, CornerPlace};
 pub use blade::Blade;
 pub use channel::{Channel, Sweep};
 pub use check_id::{AxisCheck, CheckId};

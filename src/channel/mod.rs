@@ -75,9 +75,8 @@ mod walls;
 mod windows;
 
 use crate::artifact::channel::{Binding, ChannelRow};
-use crate::artifact::{Blade, Channel, Obstacle, Toolpath};
+use crate::artifact::{Blade, Channel, CornerPlace, Obstacle, Toolpath};
 use crate::error::{Error, Result, Stage};
-use crate::geometry::Point;
 use crate::observe::{Doubt, Observer, Warning};
 use crate::parallel;
 use crate::tool::Tool;
@@ -185,7 +184,7 @@ impl<'a> Surroundings<'a> {
             let ends = tighten::ExactEnds { part: &self.blade.part, profile, tolerance };
             ends.tighten(scene, (samples, path), &mut layers, observer)?;
         }
-        within_axes(options, samples, &mut layers);
+        within_axes(options, samples, tool.disc_radius_mm(), &mut layers);
         Ok(layers)
     }
 
@@ -395,7 +394,7 @@ fn samples_of(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Vec<Sam
 /// the part as room.
 fn layers(scene: &ObstacleScene, samples: &[Sample], observer: &dyn Observer) -> Result<Vec<Vec<Free>>> {
     let mut layers = track::free_everywhere(scene, samples, observer)?;
-    within_axes(scene.options, samples, &mut layers);
+    within_axes(scene.options, samples, 0.0, &mut layers);
     Ok(layers)
 }
 
@@ -428,8 +427,8 @@ fn widened(
 }
 
 /// Cuts off what the rotary axis does not reach, and where a linear axis would be beyond its
-/// travel.
-fn within_axes(options: &ChannelOptions, samples: &[Sample], layers: &mut [Vec<Free>]) {
+/// travel, with the centre of ball or disc on the tool axis.
+fn within_axes(options: &ChannelOptions, samples: &[Sample], disc_radius_mm: f64, layers: &mut [Vec<Free>]) {
     if let Some([least, greatest]) = options.theta_limits_rad {
         for f in layers.iter_mut().flatten() {
             if f.lo < least {
@@ -442,10 +441,16 @@ fn within_axes(options: &ChannelOptions, samples: &[Sample], layers: &mut [Vec<F
         layers.iter_mut().for_each(|l| l.retain(|f| f.lo < f.hi));
     }
     for (k, travel) in (0u8..).zip(&options.travel) {
-        let cut = |f: &Free, centre: &Point| {
+        let least_rad = options.settings.contact_angle_min_deg.to_radians();
+        let cut = |f: &Free, sample: &Sample| {
             let (f, by) = (*f, Witness::Travel(k));
-            let left = travel.left_of(centre, [f.lo, f.hi]).into_iter();
-            left.map(move |([lo, hi], [lo_is_own, hi_is_own])| Free {
+            let left = if disc_radius_mm > 0.0 {
+                let Sample { centre: corner, normal, cone, .. } = *sample;
+                travel.left_of_disc(&CornerPlace { corner, normal, cone, disc_radius_mm }, [f.lo, f.hi], least_rad)
+            } else {
+                travel.left_of(&sample.centre, [f.lo, f.hi])
+            };
+            left.into_iter().map(move |([lo, hi], [lo_is_own, hi_is_own])| Free {
                 lo,
                 hi,
                 lo_by: if lo_is_own { f.lo_by } else { by },
@@ -453,8 +458,8 @@ fn within_axes(options: &ChannelOptions, samples: &[Sample], layers: &mut [Vec<F
             })
         };
         for (sample, layer) in samples.iter().zip(layers.iter_mut()) {
-            if travel.forbidden(&sample.centre).next().is_some() {
-                *layer = layer.iter().flat_map(|f| cut(f, &sample.centre)).collect();
+            if disc_radius_mm > 0.0 || travel.forbidden(&sample.centre).next().is_some() {
+                *layer = layer.iter().flat_map(|f| cut(f, sample)).collect();
             }
         }
     }

@@ -186,7 +186,6 @@ impl Job {
             (self.path.compare, "path.compare"),
             (self.channel.prove_moves, "channel.prove_moves, and schedules along a wall,"),
             (self.channel.exact_ends, "channel.exact_ends"),
-            (self.channel.offset_mm.is_some(), "channel.offset_mm"),
         ];
         for (is_asked, what) in of_balls {
             if is_asked {

@@ -17,13 +17,12 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::{ScheduleOptions, curve};
-use crate::artifact::axis_travel::offset_mm;
+use crate::artifact::axis_travel::{CornerPlace, offset_mm};
 use crate::artifact::channel::ChannelRow;
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::toolpath::CutterLocation;
 use crate::artifact::{Channel, Cone, Schedule, Toolpath};
 use crate::error::{Along, Error, Infeasible, Result, Stage, turn_number};
-use crate::geometry::{Point, Vector};
 use crate::numerics::angle::nearest_turn;
 use crate::observe::Observer;
 use crate::parallel;
@@ -55,29 +54,21 @@ struct CentredPlace {
 /// How the offset of a disc goes with θ.
 #[derive(Clone, Debug)]
 struct PlaceOfDisc {
-    /// Centre of the corner, blade frame, mm.
-    corner: Point,
-    /// The surface normal there, unit.
-    normal: Vector,
-    cone: Cone,
-    /// Radius of the disc, mm.
-    radius_mm: f64,
+    at: CornerPlace,
     /// Offsets at evenly spread angles of the channel, ends among them, mm.
     looks_mm: [f64; LOOKS + 1],
 }
 
 impl PlaceOfDisc {
-    fn new(l: &CutterLocation, cone: Cone, radius_mm: f64, walls: [f64; 2]) -> Self {
-        let mut place = PlaceOfDisc { corner: l.centre, normal: l.normal, cone, radius_mm, looks_mm: [0.0; LOOKS + 1] };
+    fn new(l: &CutterLocation, cone: Cone, disc_radius_mm: f64, walls: [f64; 2]) -> Self {
+        let at = CornerPlace { corner: l.centre, normal: l.normal, cone, disc_radius_mm };
+        let mut place = PlaceOfDisc { at, looks_mm: [0.0; LOOKS + 1] };
         place.looks_mm = std::array::from_fn(|k| place.offset_mm(angle_of(walls, k as f64)));
         place
     }
 
     fn offset_mm(&self, theta: f64) -> f64 {
-        let axis = self.cone.tool_axis(theta);
-        let across = self.normal - axis * axis.dot(&self.normal);
-        let aside = across.try_normalize(1e-12).unwrap_or_else(Vector::zeros);
-        offset_mm(&(self.corner + aside * self.radius_mm), theta)
+        offset_mm(&self.at.disc_centre(theta), theta)
     }
 
     /// Where the channel has an offset: numbers of parts from its lower wall on, as chords between
@@ -352,7 +343,7 @@ fn roomiest_of_discs(places: &[CentredPlace], [mut low, mut high]: [f64; 2]) -> 
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::artifact::axis_travel::offset_mm;
+    use crate::geometry::Vector;
     use crate::observe::Silent;
     use crate::sample;
 
