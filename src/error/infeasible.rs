@@ -492,8 +492,9 @@ pub enum Infeasible {
         from: Along,
         /// … and with that speed beyond its upper wall, or the other way round.
         to: Along,
-        /// The ball would be slower than it is to be; else faster than it can be.
-        too_slow: bool,
+        /// What the least speed of the ball lets θ rise by at most between them, and what the
+        /// channel asks for at least, degrees; `None`: the channel leaves θ nothing to rise by.
+        rises_deg: Option<[f64; 2]>,
     },
     /// There is no schedule to choose from.
     NoSchedules,

@@ -228,7 +228,7 @@ impl Band<'_> {
                 if met(middle).is_some() { high = middle } else { low = middle }
             }
             let Some(places) = met(high).filter(|_| low > STANDS) else {
-                return Err(self.none(met(high).unwrap_or([0, n - 1]), false));
+                return Err(self.none(met(high).unwrap_or([0, n - 1]), None));
             };
             let held: Vec<usize> = (places[0]..places[1]).map(|i| self.turn(i)).collect();
             let before = stays.iter().flatten().count();
@@ -236,10 +236,10 @@ impl Band<'_> {
                 stays[turn] = stays[turn].or(Some(low * alone[turn]));
             }
             if stays.iter().flatten().count() == before {
-                return Err(self.none(places, false));
+                return Err(self.none(places, None));
             }
         }
-        Err(self.none([0, n - 1], false))
+        Err(self.none([0, n - 1], None))
     }
 
     /// With these rates the ball need nowhere be slower than it is to be.
@@ -252,27 +252,35 @@ impl Band<'_> {
                 (at, from) = (self.walls.hi[i + 1], i + 1);
             }
             if at < self.walls.lo[i + 1] - ROUNDING {
-                return Err(self.none([from, i + 1], true));
+                let rises = [at, self.walls.lo[i + 1]].map(|theta| (theta - self.walls.hi[from]).to_degrees());
+                return Err(self.none([from, i + 1], Some(rises)));
             }
         }
         Ok(())
     }
 
-    fn none(&self, places: [usize; 2], too_slow: bool) -> Error {
+    /// No speed stays the same between two places. `rises_deg`: what the least speed of the ball
+    /// lets θ rise by at most there, and what the channel asks for at least; `None`: the channel
+    /// has nothing to rise by.
+    fn none(&self, places: [usize; 2], rises_deg: Option<[f64; 2]>) -> Error {
         let [from, to] = places.map(|row| self.path.along(row));
         let said = |at: &Along| format!("turn {}, S = {:.2} mm", turn_number(at.turn), at.turn_s_mm);
-        let why = if too_slow {
-            "the ball would have to be slower than cut.fz_mm or cut.chip_mm allow"
-        } else {
-            "the channel leaves θ nothing to rise by"
+        let (why, advice) = match rises_deg {
+            Some([most, least]) => (
+                format!(
+                    "the channel asks θ to rise by {least:.3}° at least, and the ball would have to be slower than cut.fz_mm or \
+                     cut.chip_mm allow: they let θ rise by {most:.3}° at most"
+                ),
+                "allow a smaller chip, turn the spindle slower, or take schedule.kind time",
+            ),
+            None => (
+                "the channel leaves θ nothing to rise by".to_owned(),
+                "allow less clearance, take a more slender or longer tool, or take schedule.kind time",
+            ),
         };
         let message = format!("no speed of turning stays the same: from {} to {} {why}", said(&from), said(&to));
-        let advice = if too_slow {
-            "allow a smaller chip, turn the spindle slower, or take schedule.kind time"
-        } else {
-            "allow less clearance, take a more slender or longer tool, or take schedule.kind time"
-        };
-        Error::infeasible(Stage::Schedule, message, Infeasible::NoEvenSpeed { from, to, too_slow }).advise(advice)
+        let what = Infeasible::NoEvenSpeed { from, to, rises_deg };
+        Error::infeasible(Stage::Schedule, message, what).advise(advice)
     }
 }
 
@@ -399,7 +407,8 @@ mod tests {
             (row.theta_min, row.hull_min, row.theta_max, row.hull_max) = (at - 0.1, at - 0.1, at + 0.1, at + 0.1);
         }
         let e = even(&path, &narrow, &speeds, &ScheduleOptions::default(), &Silent).unwrap_err();
-        assert!(matches!(e.infeasible.as_deref(), Some(Infeasible::NoEvenSpeed { .. })), "{e:?}");
+        let Some(Infeasible::NoEvenSpeed { rises_deg, .. }) = e.infeasible.as_deref() else { panic!("{e:?}") };
+        assert!(rises_deg.is_none_or(|[most, least]| most < least), "{e:?}");
         let slow: Vec<f64> = greatest.iter().map(|v| 0.2 * v).collect();
         let speeds = Speeds { greatest_mm_s: &greatest, least_mm_s: &slow, most_rad_s: 100.0 };
         let made = even(&path, &channel, &speeds, &ScheduleOptions::default(), &Silent).unwrap();
