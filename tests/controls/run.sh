@@ -18,7 +18,7 @@ mkdir -p $out
 # Two operations in one program: the same part, the second with a smaller ball and another tool number.
 "$bladewright" --quiet plan examples/jobs/steam_root.toml -o $out/fillet --set region.start_mm=21 --set tool.radius_mm=4 \
     --set path.scallop_mm=0.04 --set tool.shank_radius_mm=8 --set post.tool_number=2 > $out-fillet.log 2>&1 || { cat $out-fillet.log; exit 1; }
-for control in siemens siemens-vector siemens-poly linuxcnc linuxcnc-feed; do
+for control in siemens siemens-vector siemens-poly siemens-axes linuxcnc linuxcnc-feed; do
     "$bladewright" --quiet post "$examples/steam_root" $out/fillet --control $control -o $out/joined
 done
 # Two tools on one blade: nine letters, and two channels.
