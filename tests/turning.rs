@@ -241,7 +241,9 @@ fn a_blade_that_turns_evenly_does_so_in_the_program() {
 #[test]
 fn a_turn_that_hurries_is_found() {
     let (setup, verified) = planned(&["schedule.kind=\"even\"", "feed.feed_mm_min=1500"], machine("mill_turn_cb.toml"));
-    let mut plan = verified.value().clone();
+    let (mut plan, mut jerked) = (verified.value().clone(), verified.value().clone());
+    // A schedule that says that it varies has no reason to without a least feed per tooth.
+    plan.schedule.spread = 2.0;
     let turn = plan.toolpath.turns[2];
     let row = turn.first + turn.count / 2;
     let late = 0.01 * (plan.motion.t_s[row + 1] - plan.motion.t_s[row]);
@@ -250,6 +252,11 @@ fn a_turn_that_hurries_is_found() {
     let Ok(Verdict::Failed(rejected)) = setup.verdict(plan, &Silent) else { panic!("it passes") };
     let found = rejected.report().checks.iter().find(|c| c.id == CheckId::TurnRate).expect("the check");
     assert!(!found.passed && (0.005..0.02).contains(&found.worst) && found.row == Some(row), "{found:?}");
+    // A single jerk that no axis has, where those of a few steps may be off.
+    jerked.motion.jerk[row][setup.machine.turning_axis()] = f64::NAN;
+    let Ok(Verdict::Failed(rejected)) = setup.verdict(jerked, &Silent) else { panic!("it passes") };
+    let found = rejected.report().checks.iter().find(|c| c.id == CheckId::PlanMotion).expect("the check");
+    assert!(!found.passed && found.note.contains("over its limit"), "{found:?}");
 }
 
 /// Feed per tooth and cutting speed are limits of the plan, and checked from its contacts and

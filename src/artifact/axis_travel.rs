@@ -16,6 +16,7 @@
 use std::f64::consts::TAU;
 
 use super::Cone;
+use crate::geometry::disc::Disc;
 use crate::geometry::{Point, Vector};
 use crate::numerics::angle::nearest_turn;
 
@@ -146,9 +147,7 @@ impl CornerPlace {
     /// Centre of the disc at an angle of the tool axis, blade frame, mm; the corner's where the
     /// axis is along the normal.
     pub fn disc_centre(&self, theta_rad: f64) -> Point {
-        let axis = self.cone.tool_axis(theta_rad);
-        let across = self.normal - axis * axis.dot(&self.normal);
-        self.corner + across.try_normalize(1e-12).unwrap_or_else(Vector::zeros) * self.disc_radius_mm
+        Disc::of_corner(&self.corner, &self.normal, self.cone.tool_axis(theta_rad), self.disc_radius_mm).centre
     }
 }
 

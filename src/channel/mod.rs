@@ -440,8 +440,8 @@ fn within_axes(options: &ChannelOptions, samples: &[Sample], disc_radius_mm: f64
         }
         layers.iter_mut().for_each(|l| l.retain(|f| f.lo < f.hi));
     }
+    let least_rad = options.settings.contact_angle_min_deg.to_radians();
     for (k, travel) in (0u8..).zip(&options.travel) {
-        let least_rad = options.settings.contact_angle_min_deg.to_radians();
         let cut = |f: &Free, sample: &Sample| {
             let (f, by) = (*f, Witness::Travel(k));
             let left = if disc_radius_mm > 0.0 {

@@ -32,6 +32,15 @@ const ENTRY_MM: f64 = 1e-12;
 const PARALLEL: f64 = 1e-12;
 
 impl Disc {
+    /// The disc that a corner rolls over where it touches a surface: centre of the corner, mm, unit
+    /// outward `normal`, unit `axis` from tip to spindle. About the corner's centre where the axis
+    /// is along the normal.
+    pub fn of_corner(corner: &Point, normal: &Vector, axis: Vector, radius_mm: f64) -> Disc {
+        let across = normal - axis * axis.dot(normal);
+        let aside = across.try_normalize(1e-9).unwrap_or_else(Vector::zeros);
+        Disc { centre: corner + aside * radius_mm, axis, radius_mm }
+    }
+
     /// The point of the disc that is nearest to `p`, mm.
     pub fn foot(&self, p: &Point) -> Point {
         let v = p - self.centre;

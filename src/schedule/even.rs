@@ -80,7 +80,7 @@ pub fn even(
     let (least, greatest, between) = least_varying(Band { path, walls: &walls, speeds, spread: 1.0 }, observer)?;
     // Without any less, or with the least spread, there is no room to be smooth.
     let even = SHARES.iter().filter(|_| least.spread == 1.0).map(|share| [*share, 1.0]);
-    let wider = WIDER.iter().filter(|_| band_has_least(speeds)).map(|more| [*more, least.spread * more * more]);
+    let wider = WIDER.iter().filter(|_| may_be_too_slow(speeds)).map(|more| [*more, least.spread * more * more]);
     let tries: Vec<[f64; 2]> = even.chain(wider).filter(|t| t[1] <= MOST_SPREAD).collect();
     for [share, spread] in tries {
         observer.check(Stage::Schedule)?;
@@ -98,11 +98,7 @@ pub fn even(
             let doubt = Doubt::SpeedVaries { share: spread - 1.0, least_share: least.spread - 1.0, between };
             observer.warn(Warning { stage: Stage::Schedule, doubt });
         }
-        return Ok(Schedule {
-            rates,
-            spread: band.spread,
-            ..curve::schedule(ScheduleKind::Even, pieces, theta, &hull)
-        });
+        return Ok(Schedule { rates, spread, ..curve::schedule(ScheduleKind::Even, pieces, theta, &hull) });
     }
     let since = Infeasible::NoSmoothSchedule { margin_deg: options.settings.margin_deg };
     let message = "the channel leaves no room for a smooth schedule that turns evenly";
@@ -121,16 +117,17 @@ fn least_varying<'a>(band: Band<'a>, observer: &dyn Observer) -> Result<(Band<'a
         let band = Band { spread, ..band };
         band.greatest_rates().map(|rates| (band, rates))
     };
-    let mut found = match at(MOST_SPREAD) {
-        Ok(found) if band_has_least(band.speeds) => found,
-        _ => return Err(none),
-    };
+    if !may_be_too_slow(band.speeds) {
+        return Err(none);
+    }
+    let Ok(mut found) = at(MOST_SPREAD) else { return Err(none) };
     let (mut low, mut why) = (1.0, none);
     while found.0.spread > SPREAD_BY * low {
         observer.check(Stage::Schedule)?;
-        match at((low * found.0.spread).sqrt()) {
+        let middle = (low * found.0.spread).sqrt();
+        match at(middle) {
             Ok(less) => found = less,
-            Err(e) => (low, why) = ((low * found.0.spread).sqrt(), e),
+            Err(e) => (low, why) = (middle, e),
         }
     }
     let between = match why.infeasible.as_deref() {
@@ -141,7 +138,7 @@ fn least_varying<'a>(band: Band<'a>, observer: &dyn Observer) -> Result<(Band<'a
 }
 
 /// Whether the ball may anywhere be too slow.
-fn band_has_least(speeds: &Speeds) -> bool {
+fn may_be_too_slow(speeds: &Speeds) -> bool {
     speeds.least_mm_s.iter().any(|least| *least > 0.0)
 }
 

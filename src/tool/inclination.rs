@@ -87,10 +87,7 @@ impl Inclined {
     }
 
     fn disc_leaning(&self, corner: &Point, normal: &Vector, on_rad: f64) -> Disc {
-        let axis = self.axis(normal, on_rad);
-        let across = normal - axis * axis.dot(normal);
-        let aside = across.try_normalize(1e-9).unwrap_or_else(Vector::zeros);
-        Disc { centre: corner + aside * self.disc_radius_mm, axis, radius_mm: self.disc_radius_mm }
+        Disc::of_corner(corner, normal, self.axis(normal, on_rad), self.disc_radius_mm)
     }
 
     /// Curvatures at a contact, 1/mm, in the frame of two unit vectors across its normal: of the

@@ -52,7 +52,7 @@ pub(super) fn check(
         return None;
     }
     let (offset, offset_mm) = offset(plan, blade, tool, machine, asked);
-    let rate = (asked.schedule == ScheduleKind::Even).then(|| rate(plan, blade, machine));
+    let rate = (asked.schedule == ScheduleKind::Even).then(|| rate(plan, blade, machine, asked.chip));
     let turning_per_min = rate.as_ref().and_then(|r| r.1);
     let ripple = rate.as_ref().zip(turning_per_min).map(|(r, _)| r.0.worst);
     let tooth = asked.chip.map(|chip| tooth(plan, blade, &chip));
@@ -101,7 +101,7 @@ fn offset(plan: &Plan, blade: &Blade, tool: &Tool, machine: &Machine, asked: &As
 }
 
 /// The speed of turning against the mean of its turn, and the least and greatest mean, 1/min.
-fn rate(plan: &Plan, blade: &Blade, machine: &Machine) -> (Check, Option<[f64; 2]>) {
+fn rate(plan: &Plan, blade: &Blade, machine: &Machine, chip: Option<Chip>) -> (Check, Option<[f64; 2]>) {
     let (axis, t, path) = (machine.turning_axis(), &plan.motion.t_s, &plan.toolpath);
     let mut worst = (0.0, 0);
     let mut means: Vec<f64> = Vec::new();
@@ -124,8 +124,9 @@ fn rate(plan: &Plan, blade: &Blade, machine: &Machine) -> (Check, Option<[f64; 2
         |[least, greatest]| format!("{} turns, {least:.3} to {greatest:.3} 1/min", means.len()),
     );
     let quantity = "share by which the speed of turning leaves the mean of its turn";
-    // What the schedule says that it varies by, within what any may.
-    let varies = (plan.schedule.spread - 1.0).clamp(0.0, MOST_SPREAD - 1.0);
+    // What the schedule says that it varies by, within what any may, where the job has a reason.
+    let has_reason = chip.is_some_and(|c| c.contact_mm_s[0] > 0.0);
+    let varies = if has_reason { (plan.schedule.spread - 1.0).clamp(0.0, MOST_SPREAD - 1.0) } else { 0.0 };
     let check = Check::at_most(CheckId::TurnRate, quantity, worst.0, RIPPLE + varies, "", note);
     (check.at_location(worst.1, plan, blade), range)
 }
