@@ -132,7 +132,7 @@ impl Part {
     /// deflection. `of`: for each of its faces or groups the one of the part that it was.
     #[must_use]
     pub fn with_published(mut self, published: Part, of: Vec<Option<u32>>) -> Self {
-        let off = |p: &Point| self.own_closest(p, f64::INFINITY).map_or(0.0, |c| c.distance_mm);
+        let off = |p: &Point| self.own_closest(p, f64::INFINITY, 0.0).map_or(0.0, |c| c.distance_mm);
         let off_mm = parallel::map(&published.places(), off).into_iter().fold(0.0, f64::max);
         self.deflection_mm += off_mm;
         self.sharper = OnceLock::new();
@@ -184,15 +184,22 @@ impl Part {
     /// ([`super::exact`]), and on the mesh otherwise. Where the faces or triangles as published are
     /// nearer, it lies on those.
     pub fn closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
-        let own = self.own_closest(q, cap_mm);
+        self.closest_within(q, cap_mm, 0.0)
+    }
+
+    /// As [`Part::closest`], but the point may be `negligible_mm` farther than the closest. Where
+    /// much of the part is about as far, as from the axis of a round edge, that is found much
+    /// sooner.
+    pub fn closest_within(&self, q: &Point, cap_mm: f64, negligible_mm: f64) -> Option<Closest> {
+        let own = self.own_closest(q, cap_mm, negligible_mm);
         let Some(published) = &self.published else { return own };
         let within = own.map_or(cap_mm, |c| c.distance_mm - NEARER_MM);
         if within <= 0.0 {
             return own;
         }
-        let Some(near) = published.part.closest(q, within) else { return own };
+        let Some(near) = published.part.closest_within(q, within, negligible_mm) else { return own };
         // What has no counterpart in the part lies beside something that it has.
-        let own = own.or_else(|| self.own_closest(q, f64::INFINITY))?;
+        let own = own.or_else(|| self.own_closest(q, f64::INFINITY, negligible_mm))?;
         Some(match published.of.get(near.face as usize).copied().flatten() {
             Some(face) => Closest { face, triangle: own.triangle, ..near },
             None => Closest { face: own.face, uv: own.uv, triangle: own.triangle, ..near },
@@ -202,13 +209,13 @@ impl Part {
     /// Whether the nearest place of the part to `q` is on surface that its file has otherwise.
     pub fn nearest_is_published(&self, q: &Point) -> bool {
         let distance = |c: Option<Closest>| c.map_or(f64::INFINITY, |c| c.distance_mm);
-        distance(self.closest(q, f64::INFINITY)) < distance(self.own_closest(q, f64::INFINITY))
+        distance(self.closest(q, f64::INFINITY)) < distance(self.own_closest(q, f64::INFINITY, 0.0))
     }
 
-    /// As [`Part::closest`] without what was published otherwise.
-    fn own_closest(&self, q: &Point, cap_mm: f64) -> Option<Closest> {
+    /// As [`Part::closest_within`] without what was published otherwise.
+    fn own_closest(&self, q: &Point, cap_mm: f64, negligible_mm: f64) -> Option<Closest> {
         match (&self.brep, &self.tie) {
-            (Some(brep), Tie::Exact(exact)) => exact.closest(brep, q, cap_mm),
+            (Some(brep), Tie::Exact(exact)) => exact.closest_within(brep, q, cap_mm, negligible_mm),
             _ => self.closest_on_mesh(q, cap_mm),
         }
     }
@@ -365,7 +372,7 @@ impl Part {
     /// right on faces, edges and vertices alike. A point on the mesh counts as outside.
     pub fn inside(&self, q: &Point) -> bool {
         if let (Some(brep), Tie::Exact(exact)) = (&self.brep, &self.tie) {
-            let far = exact.closest(brep, q, f64::INFINITY).is_some_and(|c| c.distance_mm > FAR * self.deflection_mm);
+            let far = exact.closest(brep, q, FAR * self.deflection_mm).is_none();
             let winding = if far { self.bvh.winding(&self.mesh, q) } else { None };
             return winding.map_or_else(|| exact.inside(brep, q), |w| w > 0);
         }

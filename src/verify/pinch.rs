@@ -236,6 +236,10 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
         "deg",
         format!("half of them under {:.3}", angles[0]),
     );
+    let half = |k: &usize| found[*k].map_or(f64::INFINITY, |f| f[1]);
+    let worst = places.iter().copied().max_by(|a, b| half(a).total_cmp(&half(b)));
+    let centre = |k: usize| work.blade.model_from_blade * work.rows.places[k].contacts[0].centre;
+    let angle = Check { row: worst, point_mm: worst.map(|k| centre(k).coords.into()), ..angle };
     (vec![line, angle], (lines, angles))
 }
 

@@ -29,7 +29,7 @@ use crate::geometry::brep::Brep;
 use crate::geometry::nurbs::SurfaceDerivatives;
 use crate::geometry::{Point, Vector};
 
-/// A minimum that could be nearer by no more than this is not looked for, mm.
+/// A minimum that could be nearer by no more than this is not looked for, mm, as a rule.
 pub(super) const NEGLIGIBLE_MM: f64 = 1e-7;
 /// What [`NEGLIGIBLE_MM`] grows to, mm, doubled with every [`PATIENCE`] pieces that a query halves.
 const MOST_NEGLIGIBLE_MM: f64 = 1e-4;
@@ -92,15 +92,23 @@ struct ClosestSearch<'a> {
     borders: Vec<Vec<Border>>,
     arcs: Vec<(LeafArc, u32)>,
     cuts: u32,
+    /// A minimum that could be nearer by no more than this is not looked for, mm, at first.
+    negligible_mm: f64,
 }
 
-/// The closest point no farther than `cap_mm`.
-pub(super) fn closest(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> Option<FoundPoint> {
-    counted(exact, brep, q, cap_mm).0
+/// A point no farther than `cap_mm`, and no more than `negligible_mm` farther than the closest.
+pub(super) fn closest(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64, negligible_mm: f64) -> Option<FoundPoint> {
+    counted(exact, brep, q, cap_mm, negligible_mm).0
 }
 
 /// The same, and how many pieces were halved for it.
-pub(super) fn counted(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> (Option<FoundPoint>, u32) {
+pub(super) fn counted(
+    exact: &Exact,
+    brep: &Brep,
+    q: &Point,
+    cap_mm: f64,
+    negligible_mm: f64,
+) -> (Option<FoundPoint>, u32) {
     if !q.coords.iter().all(|x| x.is_finite()) || exact.tree.is_empty() || !(cap_mm >= 0.0) {
         return (None, 0);
     }
@@ -120,9 +128,11 @@ pub(super) fn counted(exact: &Exact, brep: &Brep, q: &Point, cap_mm: f64) -> (Op
         borders: Vec::new(),
         arcs: Vec::new(),
         cuts: 0,
+        negligible_mm,
     };
     search.run(&mut heap);
-    let promised = |s: &ClosestSearch| s.best.is_none_or(|b| b.d2.sqrt() > s.reach2.sqrt() + 2.0 * MOST_NEGLIGIBLE_MM);
+    let promised =
+        |s: &ClosestSearch| s.best.is_none_or(|b| b.d2.sqrt() > s.reach2.sqrt() + 2.0 * s.most_negligible_mm());
     if search.reach2 < limit2 && promised(&search) {
         // A point was promised, but Newton found none as near: once more, without promises.
         (search.eager, search.reach2) = (false, search.limit2);
@@ -306,9 +316,13 @@ impl ClosestSearch<'_> {
         }
     }
 
+    fn most_negligible_mm(&self) -> f64 {
+        self.negligible_mm.max(MOST_NEGLIGIBLE_MM)
+    }
+
     /// What a squared distance must be below to be worth looking for.
     fn worth(&self, d2: f64) -> f64 {
-        let least = (NEGLIGIBLE_MM * f64::from(self.cuts / PATIENCE).exp2()).min(MOST_NEGLIGIBLE_MM);
+        let least = (self.negligible_mm * f64::from(self.cuts / PATIENCE).exp2()).min(self.most_negligible_mm());
         let at = d2.max(0.0).min(self.reach2);
         self.reach2 - 2.0 * least * at.sqrt() - least * least
     }

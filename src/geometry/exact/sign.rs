@@ -164,7 +164,7 @@ impl Exact {
     /// Whether `q` lies inside the part, whose faces must enclose it; a point on the part counts as
     /// outside.
     pub fn inside(&self, brep: &Brep, q: &Point) -> bool {
-        let Some(found) = search::closest(self, brep, q, f64::INFINITY) else { return false };
+        let Some(found) = search::closest(self, brep, q, f64::INFINITY, search::NEGLIGIBLE_MM) else { return false };
         let direction = q - found.point;
         let normal = match found.on {
             On::Face { .. } => self.finish(brep, q, &found).normal,

@@ -2,7 +2,7 @@
 use nalgebra::Vector4;
 
 use super::Exact;
-use super::search::counted;
+use super::search::{NEGLIGIBLE_MM, counted};
 
 use crate::geometry::brep::{Brep, Coedge, Edge, Face, FaceName, SurfaceKind};
 use crate::geometry::mesh::topology;
@@ -430,7 +430,7 @@ fn points_on_the_axis_of_a_round_face_are_soon_done() {
             for off in [0.0, 1e-6, 1e-3] {
                 let q = Point::new(off, 0.3 * off, -120.0 + 5.0 * f64::from(k));
                 let beyond = (20.0 - q.z).max(q.z - 80.0).max(0.0);
-                let (found, cuts) = counted(&exact, &t.brep, &q, f64::INFINITY);
+                let (found, cuts) = counted(&exact, &t.brep, &q, f64::INFINITY, NEGLIGIBLE_MM);
                 let d = found.unwrap().d2.sqrt();
                 let wrong = d - (radius - q.x.hypot(q.y)).hypot(beyond);
                 assert!(wrong.abs() < 1.1 * uneven + 2e-4, "{uneven} at {q}: wrong by {wrong}");
@@ -523,4 +523,29 @@ fn a_sharp_bend_beside_an_edge_holds_its_own_points() {
             }
         }
     }
+}
+
+/// A point that may be farther than the closest by some length is no farther than that, and takes
+/// fewer pieces where much of the part is about as far.
+#[test]
+fn a_point_nearly_as_near_is_as_near_as_said() {
+    let brick = Part::from_brep(block(Vector::new(30.0, 20.0, 10.0)), 0.02, &Silent).unwrap();
+    let ring = part(torus(10.0, 3.0), 0.02);
+    for part in [&brick, &ring] {
+        for (k, q) in points(18.0, 600).enumerate() {
+            let within = [0.0, 1e-6, 1e-3, 0.1, 2.0][k % 5];
+            let least = part.closest(&q, f64::INFINITY).unwrap().distance_mm;
+            let found = part.closest_within(&q, f64::INFINITY, within).unwrap();
+            assert!((found.point - q).norm() - found.distance_mm <= 1e-9);
+            assert!(found.distance_mm <= least + within + 1e-7, "{q}: {} {least} {within}", found.distance_mm);
+            assert!(found.distance_mm >= least - 1e-7, "{q}");
+            // What is nearer than a limit by more than that is found.
+            let beside = part.closest_within(&q, least + 1.01 * within + 1e-6, within);
+            assert!(beside.is_some_and(|c| c.distance_mm <= least + 1.01 * within + 1e-6), "{q}");
+        }
+    }
+    let (brep, exact) = ring.exact().unwrap();
+    let on_axis = Point::new(10.0, 0.0, 0.0);
+    let cuts = |within: f64| counted(exact, brep, &on_axis, f64::INFINITY, within).1;
+    assert!(cuts(0.1) < cuts(NEGLIGIBLE_MM), "{} {}", cuts(0.1), cuts(NEGLIGIBLE_MM));
 }

@@ -17,7 +17,9 @@
 //! (*shrinking ball*, Ma, Bae and Choi, *3D medial axis point approximation using nearest neighbors
 //! and the normal field*, The Visual Computer 28, 2012). There the first place is as near to the
 //! centre as the second. So the second is asked for from beyond the centre, twice, and taken where
-//! it would be from the centre itself.
+//! it would be from the centre itself. The first ball is that of the surface's own curvature, or as
+//! large as any can be where the surface is flat or hollow. On a round edge that ball is the
+//! greatest already: nothing has to be told apart that is about as far from its axis.
 //!
 //! ## Guarantees
 //! On exact faces both places lie on them, and the ball holds no place of the part by more than
@@ -31,10 +33,18 @@ use crate::error::{Error, Infeasible, Result, Stage};
 
 /// The ball of a pair holds nothing of the part by more than this, mm.
 pub const HELD_MM: f64 = 1e-6;
+/// A place of the surface lies on it within this, mm.
+const ON_MM: f64 = 0.01;
 /// Steps of the search.
 const STEPS: usize = 60;
 /// Radii that differ by less than this share are the same.
 const SAME: f64 = 1e-12;
+/// A place has to make the radius smaller by this share at first, and by a share that is so much
+/// less where there is none. A ball within the first share of that of the curvature is that.
+const LOOSE: f64 = 1e-3;
+const TIGHTER: f64 = 1e-4;
+/// After a step that changes the radius by less than this share the error is its square.
+const SETTLED: f64 = 1e-7;
 /// The second place is asked for from so far beyond the centre, as a share of the radius. It moves
 /// by as much times the sine of β; what is left after extrapolation is of the square.
 const BEYOND: f64 = 1e-5;
@@ -134,12 +144,26 @@ pub fn partner(part: &Part, first: SurfacePlace, within_mm: f64) -> Option<Pair>
 /// ball's centre as those of any pair.
 pub fn partner_across_creases(part: &Part, first: SurfacePlace, within_mm: f64, held_share: f64) -> Option<Pair> {
     let centre = |radius: f64| first.point - first.normal * radius;
-    let mut radius_mm = within_mm;
+    // A ball that touches there is no larger than the surface bends.
+    let bent = part.closest(&first.point, ON_MM).and_then(|at| part.curvature_at(&at));
+    let round_mm = bent.map_or(0.0, |p| -p.curvature[1]).max(1.0 / within_mm).recip();
+    let is_round = |radius_mm: f64| round_mm < within_mm && radius_mm >= round_mm * (1.0 - LOOSE);
+    let mut radius_mm = round_mm;
     let mut last = None;
+    let mut beside = LOOSE;
     for _ in 0..STEPS {
-        // Nothing is nearer than the first place: of two places as near, which is dear to tell, no
-        // one is asked for.
-        let Some(near) = part.closest(&centre(radius_mm), radius_mm * (1.0 - SAME.max(held_share))) else { break };
+        // Of two places that are as near, which one is nearer is dear to tell. So a place has to be
+        // nearer than the first one by a share of the radius. The share falls as the ball comes to
+        // rest: while that is much too large any place well inside it makes it smaller.
+        let share = beside.max(held_share);
+        let found = part.closest_within(&centre(radius_mm), radius_mm * (1.0 - share), share * radius_mm);
+        let Some(near) = found else {
+            if share <= SAME.max(held_share) || is_round(radius_mm) {
+                break;
+            }
+            beside = (beside * TIGHTER).max(SAME);
+            continue;
+        };
         let arm = first.point - near.point;
         let off = first.normal.dot(&arm);
         if arm.norm() < ONE_PLACE * radius_mm {
@@ -150,16 +174,22 @@ pub fn partner_across_creases(part: &Part, first: SurfacePlace, within_mm: f64, 
         }
         let smaller = arm.norm_squared() / (2.0 * off);
         last = Some(near);
-        if smaller >= radius_mm * (1.0 - SAME) {
+        let change = 1.0 - smaller / radius_mm;
+        if !(change > SAME) {
             break;
         }
         radius_mm = smaller;
+        if change < SETTLED {
+            break;
+        }
+        beside = beside.min(change * change).max(SAME);
     }
-    let rough = last?;
+    let rough = last.filter(|_| !is_round(radius_mm))?;
     // Far enough that what the ball may hold beside the first place is not nearest.
     let beyond = BEYOND.max(2.0 * held_share);
     let from = |share: f64| {
-        let near = part.closest(&centre(radius_mm * (1.0 + share * beyond)), f64::INFINITY)?;
+        let from = centre(radius_mm * (1.0 + share * beyond));
+        let near = part.closest(&from, (rough.point - from).norm() * (1.0 + LOOSE))?;
         // Of a place that has none beside it the first place itself is the nearest.
         ((near.point - rough.point).norm() < 0.5 * (near.point - first.point).norm()).then_some(near)
     };
@@ -171,6 +201,9 @@ pub fn partner_across_creases(part: &Part, first: SurfacePlace, within_mm: f64, 
         return None;
     }
     let radius_mm = arm.norm_squared() / (2.0 * off);
+    if is_round(radius_mm) {
+        return None;
+    }
     let centre = centre(radius_mm);
     let held = part.closest(&centre, radius_mm * (1.0 - held_share) - HELD_MM).is_some();
     let inside = part.inside(&centre);

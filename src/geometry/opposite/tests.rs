@@ -1,5 +1,5 @@
 #![allow(clippy::unwrap_used)]
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use proptest::prelude::*;
 
@@ -125,4 +125,34 @@ fn an_edge_has_no_partner() {
     assert_eq!(partner(&part, SurfacePlace { point: Point::new(a, 0.0, 100.0), normal: Vector::x() }, 500.0), None);
     // Looked at from the wrong side there is no inside.
     assert_eq!(partner(&part, SurfacePlace { point: Point::new(0.0, b, 100.0), normal: -Vector::y() }, 500.0), None);
+}
+
+/// A slab between two round edges: its flat sides are opposite, and the edges, as far from their
+/// axis everywhere, have no partner.
+#[test]
+fn a_round_edge_has_no_partner() {
+    let (radius, half, length) = (1.5, 20.0, 120.0);
+    let round = |x: f64| changed(cylinder(radius, length), [1.0; 3], [x, 0.0, 0.0]);
+    let [a, b] = [-half, half];
+    let side = |y: f64, [from, to]: [f64; 2]| patch([[from, y, 0.0], [to, y, 0.0], [to, y, length], [from, y, length]]);
+    let part = part_of(vec![
+        (round(a), false),
+        (round(b), false),
+        (side(-radius, [a, b]), false),
+        (side(radius, [b, a]), false),
+    ]);
+    let at = |angle: f64| {
+        let normal = Vector::new(angle.cos(), angle.sin(), 0.0);
+        SurfacePlace { point: Point::new(b, 0.0, 60.0) + normal * radius, normal }
+    };
+    for k in 0..18 {
+        let angle = 0.1 + 0.16 * f64::from(k) - FRAC_PI_2;
+        assert_eq!(partner(&part, at(angle), 500.0), None, "{angle}");
+        assert_eq!(partner_across_creases(&part, at(angle), 500.0, 0.01), None, "{angle}");
+    }
+    for x in [-12.0, -3.0, 11.0] {
+        let first = SurfacePlace { point: Point::new(x, radius, 60.0), normal: Vector::y() };
+        let pair = partner(&part, first, 500.0).unwrap();
+        assert!((pair.second.point - Point::new(x, -radius, 60.0)).norm() < 1e-8, "{pair:?}");
+    }
 }

@@ -146,7 +146,8 @@ impl<'a> Sheet<'a> {
         let rest = pair.second.point + pair.second.normal * (level.radius_mm + stock_mm);
         let room_mm = ROOM * level.radius_mm;
         let second = level.touch(&rest, room_mm).filter(|t| (t.centre - rest).norm() <= room_mm);
-        let second = second.ok_or(RowEnd::NoRoom)?;
+        // Beside the platform it may come to rest there, and the blade is out of its reach.
+        let second = second.filter(|t| self.is_airfoil(t.face)).ok_or(RowEnd::NoRoom)?;
         let balls_mm = (second.centre - first.centre).norm() - self.options.radius_mm[0] - self.options.radius_mm[1];
         if balls_mm < self.options.apart_mm + APART_MM {
             return Err(RowEnd::TooNear);
