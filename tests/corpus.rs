@@ -570,18 +570,16 @@ fn corpus_table_of_one_profile() {
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_two_tools_hold_blades() {
-    let short = is_short();
-    let scallop_mm = if short { 0.15 } else { 0.05 };
-    for (file, radius_mm, least_share) in [
-        ("turbine_blade_firtree.igs", 6.0, 0.75),
-        ("rotor37/rotor37_DERIVED_loft_mm.step", 4.0, 0.65),
-        ("tblade3_case7288/case7288_rotor_hubwedge.step", 4.0, 0.6),
-        ("fan_sections/fan_DERIVED_loft.step", 1.0, 0.45),
+    let coarser = if is_short() { 3.0 } else { 1.0 };
+    for (file, radius_mm, scallop_mm, least_share) in [
+        ("turbine_blade_firtree.igs", 6.0, 0.05, 0.75),
+        ("rotor37/rotor37_DERIVED_loft_mm.step", 4.0, 0.05, 0.65),
+        ("tblade3_case7288/case7288_rotor_hubwedge.step", 4.0, 0.05, 0.6),
+        // At an end of a row the second ball would rest on the hub.
+        ("tblade3_case7288/case7288_rotor_hubwedge.step", 4.0, 0.01, 0.6),
+        ("fan_sections/fan_DERIVED_loft.step", 1.0, 0.05, 0.45),
     ] {
-        // Its faces make it slow.
-        if short && file.ends_with(".igs") {
-            continue;
-        }
+        let scallop_mm = coarser * scallop_mm;
         let dir = tempfile::tempdir().expect("a folder");
         let machine = concat!(env!("CARGO_MANIFEST_DIR"), "/models/machines/pinch_9x.toml");
         let keys = [
@@ -603,8 +601,8 @@ fn corpus_two_tools_hold_blades() {
         let share = number("/covered/0") + number("/covered/1");
         assert!(share >= least_share, "{file}: {share}");
         assert!(number("/measured/line_distance_mm/1") <= 0.05, "{file}");
-        let greatest = |k: usize| (0..2).map(|j| number(&format!("/measured/ridges_mm/{j}/{k}"))).fold(0.0, f64::max);
-        assert!((0.93..1.03).contains(&(greatest(2) / scallop_mm)) && greatest(4) < 1.5 * scallop_mm, "{file}");
+        let binding = |k: usize| number(&format!("/measured/binding_ridges_mm/{k}")) / scallop_mm;
+        assert!(binding(0) >= 0.93 && binding(3) <= 1.03 && binding(4) < 1.5, "{file}: {} {}", binding(0), binding(4));
         let alone = number("/program/alone_s/0") + number("/program/alone_s/1");
         assert!(number("/program/cutting_s") <= 0.56 * alone, "{file}");
     }

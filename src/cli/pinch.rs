@@ -94,9 +94,11 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     let [one, two] = f.covered.map(|share| 100.0 * share);
     row("of the airfoil", format!("{one:.1} % lie between the rows of tool 1, {two:.1} % between those of tool 2"));
     row("rows end where", f.ends.clone());
-    for (k, [p05, p50, p95, p99, most]) in f.measured.ridges_mm.iter().enumerate() {
-        let name = format!("ridges of tool {}, 5 % to 95 %", k + 1);
-        row(&name, format!("{p05:.4} to {p95:.4} mm (median {p50:.4}, 99 % {p99:.4}, greatest {most:.4})"));
+    let [one, two] = f.measured.ridges_mm;
+    let of = ["ridges of tool 1", "ridges of tool 2", "the higher of both"];
+    for (of, [p05, p50, p95, p99, most]) in of.into_iter().zip([one, two, f.measured.binding_ridges_mm]) {
+        let text = format!("{p05:.4} to {p95:.4} mm (median {p50:.4}, 99 % {p99:.4}, greatest {most:.4})");
+        row(&format!("{of}, 5 % to 95 %"), text);
     }
     let highest = f.measured.ridges_mm.iter().map(|r| r[4]).fold(0.0, f64::max);
     if highest > HIGH * pinch.rows.scallop_mm {

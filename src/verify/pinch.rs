@@ -64,6 +64,8 @@ pub struct PinchWork<'a> {
 pub struct PinchFigures {
     /// Ridges of each side: 5th percentile, median, 95th and 99th percentile, greatest.
     pub ridges_mm: [[f64; 5]; 2],
+    /// The same of the higher of both sides at each place: that which binds the distance of rows.
+    pub binding_ridges_mm: [f64; 5],
     /// Distance of the two normal lines: median, 99th percentile, greatest.
     pub line_distance_mm: [f64; 3],
     /// What the normals lack of being opposite: median, 99th percentile, greatest, degrees.
@@ -84,6 +86,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
     if order.len() < 2 {
         return (checks, figures);
     }
+    let mut sides = Vec::new();
     for tool in 0..2 {
         let contact = |k: usize| &work.rows.places[k].contacts[tool];
         let row_of = |k: usize| work.rows.rows.partition_point(|r| r.end <= k) as u32;
@@ -103,12 +106,11 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         };
         checks.push(name(cuts::check(work.blade, &part, &EndWay::of_ball(&sweep), options)));
         checks.extend(cuts::check_obstacles(work.blade, work.obstacles, &EndWay::of_ball(&sweep), options).map(name));
-        let heights = ridges(&part, &sweep, options.scallop_mm);
-        figures.ridges_mm[tool] = [0.05, 0.5, 0.95, 0.99, 1.0].map(|q| percentile(&heights, q));
-        if let Some(last) = heights.last() {
-            figures.ridges_mm[tool][4] = last.height_mm;
-        }
+        let side = ridges(&part, &sweep, options.scallop_mm);
+        let heights = sort(side.iter().copied().flatten().collect());
+        figures.ridges_mm[tool] = five(&heights);
         checks.push(name(ridge_check(&heights, work, options)));
+        sides.push(side);
         let stands: Vec<Stand> = order
             .iter()
             .map(|(n, k)| {
@@ -121,6 +123,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
             checks.push(name(clearance(&a, track, work.blade, options)));
         }
     }
+    figures.binding_ridges_mm = five(&binding(&sides));
     let (check, opposition) = opposed(work);
     checks.extend(check);
     (figures.line_distance_mm, figures.angle_deg) = opposition;
@@ -146,13 +149,29 @@ fn covered(work: &PinchWork) -> Check {
     Check::at_most(CheckId::PairRows, "moves of rows that no stretch cuts", left as f64, 0.0, "", note)
 }
 
-/// Ridges from each row to the next, sorted.
-fn ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> Vec<Height> {
+/// Ridges from each row to the next, at the same places for either tool; `None`: there is none.
+fn ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> Vec<Option<Height>> {
     let every = sweep.centres.len().div_ceil(RIDGES);
     let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
     let of = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
     let rows: Vec<usize> = (0..sweep.centres.len()).step_by(every).collect();
-    sort(parallel::filter_map(rows, |row| of.at(row, sweep.turns[row] + 1)))
+    parallel::map(rows, |row| of.at(row, sweep.turns[row] + 1))
+}
+
+/// The higher of the ridges of both sides at each place that has one on both, sorted.
+fn binding(sides: &[Vec<Option<Height>>]) -> Vec<Height> {
+    let [one, two] = sides else { return Vec::new() };
+    let higher = |(a, b): (&Option<Height>, &Option<Height>)| {
+        let (a, b) = ((*a)?, (*b)?);
+        Some(if a.height_mm > b.height_mm { a } else { b })
+    };
+    sort(one.iter().zip(two).filter_map(higher).collect())
+}
+
+/// 5th percentile, median, 95th and 99th percentile and greatest of sorted heights, mm.
+fn five(sorted: &[Height]) -> [f64; 5] {
+    let [a, b, c, d] = [0.05, 0.5, 0.95, 0.99].map(|q| percentile(sorted, q));
+    [a, b, c, d, sorted.last().map_or(0.0, |h| h.height_mm)]
 }
 
 fn ridge_check(heights: &[Height], work: &PinchWork, options: &VerifyOptions) -> Check {

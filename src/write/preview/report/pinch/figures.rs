@@ -134,6 +134,7 @@ fn measured(input: &PinchReport) -> String {
     let body = [
         line("ridges of tool 1, mm", "ridges_mm/0", ridges),
         line("ridges of tool 2, mm", "ridges_mm/1", ridges),
+        line("the higher of both, mm", "binding_ridges_mm", ridges),
         line("distance of the normal lines, mm", "line_distance_mm", three),
         line("what the normals lack of being opposite (β), °", "angle_deg", three),
     ]

@@ -115,7 +115,7 @@ fn figures() -> Value {
         "length_mm": [16.0, 8.0], "covered": [0.5, 0.25], "ends": "<edge>", "narrowest_deg": 42.97,
         "narrowest_place": 3, "narrowest_own_deg": [114.6, 85.94], "turned_deg": 5.73,
         "measured": { "ridges_mm": [[0.001, 0.002, 0.003, 0.004, 0.005], [0.006, 0.007, 0.008, 0.009, 0.011]],
-            "line_distance_mm": [0.0001, 0.0002, 0.0009], "angle_deg": [2.5, 5.0, 5.157], "tools_apart_mm": 3.25 },
+            "binding_ridges_mm": [0.006, 0.007, 0.008, 0.009, 0.011], "line_distance_mm": [0.0001, 0.0002, 0.0009], "angle_deg": [2.5, 5.0, 5.157], "tools_apart_mm": 3.25 },
         "checks": [check(true), check(true)],
         "program": { "cutting_s": 8.0, "alone_s": [8.0, 4.0], "one_after_the_other_s": 12.0,
             "share_of_one_after_the_other": 0.6667, "full_feed_s": 7.5, "checks": [check(true)],
