@@ -146,9 +146,9 @@ pub fn partner_across_creases(part: &Part, first: SurfacePlace, within_mm: f64, 
     let centre = |radius: f64| first.point - first.normal * radius;
     // A ball that touches there is no larger than the surface bends.
     let bent = part.closest(&first.point, ON_MM).and_then(|at| part.curvature_at(&at));
-    let round_mm = bent.map_or(0.0, |p| -p.curvature[1]).max(1.0 / within_mm).recip();
-    let is_round = |radius_mm: f64| round_mm < within_mm && radius_mm >= round_mm * (1.0 - LOOSE);
-    let mut radius_mm = round_mm;
+    let round_mm = bent.map(|p| -1.0 / p.curvature[1]).filter(|r| *r > 0.0 && *r < within_mm);
+    let is_round = |radius_mm: f64| round_mm.is_some_and(|r| radius_mm >= r * (1.0 - LOOSE));
+    let mut radius_mm = round_mm.unwrap_or(within_mm);
     let mut last = None;
     let mut beside = LOOSE;
     for _ in 0..STEPS {

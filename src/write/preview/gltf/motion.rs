@@ -171,7 +171,8 @@ pub(super) fn lean(b_rad: f64) -> UnitQuaternion<f64> {
 /// The part's place on the machine in a row of the plan: where its axes stand, where each location
 /// has a cone of its own; else as [`crate::machine::Machine::shown_part`] shows it.
 fn part_on_machine(plan: &Plan, scene: &Scene, stand: &Stand, row: usize) -> Rigid {
-    let at = plan.axes().nth(row).filter(|_| plan.toolpath.cones.same().is_none());
+    let turns_with_cones = plan.toolpath.cones.same().is_none();
+    let at = turns_with_cones.then(|| plan.axes().nth(row)).flatten();
     at.map_or_else(|| scene.machine.shown_part(about_the_blade(stand)), |at| scene.machine.part_at(at))
 }
 
