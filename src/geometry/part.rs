@@ -187,9 +187,9 @@ impl Part {
         self.closest_within(q, cap_mm, 0.0)
     }
 
-    /// As [`Part::closest`], but the point may be `negligible_mm` farther than the closest. Where
-    /// much of the part is about as far, as from the axis of a round edge, that is found much
-    /// sooner.
+    /// As [`Part::closest`], but the point may be `negligible_mm` farther than the closest, and
+    /// there may be none where the part is nearer than `cap_mm` by no more than that. Where much of
+    /// the part is about as far, as from the axis of a round edge, that is found much sooner.
     pub fn closest_within(&self, q: &Point, cap_mm: f64, negligible_mm: f64) -> Option<Closest> {
         let own = self.own_closest(q, cap_mm, negligible_mm);
         let Some(published) = &self.published else { return own };

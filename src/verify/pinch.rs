@@ -375,3 +375,24 @@ impl SupportMap for ToolSolid {
         ParryVector::new(p.x, p.y, p.z)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sides bind in turn; a place with a ridge on one side alone says nothing of which binds.
+    #[test]
+    fn the_higher_side_binds_at_each_place() {
+        let side = |heights: [Option<f64>; 4]| -> Vec<Option<Height>> {
+            let at = |(row, h): (usize, Option<f64>)| {
+                h.map(|height_mm| Height { height_mm, point: Point::origin(), row, weight: 1.0 })
+            };
+            heights.into_iter().enumerate().map(at).collect()
+        };
+        let sides = [side([Some(0.4), Some(0.1), None, Some(0.3)]), side([Some(0.2), Some(0.5), Some(9.0), None])];
+        let found: Vec<(f64, usize)> = binding(&sides).iter().map(|h| (h.height_mm, h.row)).collect();
+        assert_eq!(found, [(0.4, 0), (0.5, 1)]);
+        assert_eq!(five(&binding(&sides))[4], 0.5);
+        assert!(binding(&sides[..1]).is_empty());
+    }
+}

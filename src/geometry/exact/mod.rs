@@ -115,11 +115,11 @@ impl Exact {
 
     /// The closest point of the part to `q`; `None` where that is farther than `cap_mm`.
     pub fn closest(&self, brep: &Brep, q: &Point, cap_mm: f64) -> Option<Closest> {
-        self.closest_within(brep, q, cap_mm, search::NEGLIGIBLE_MM)
+        self.closest_within(brep, q, cap_mm, 0.0)
     }
 
     /// A point of the part no more than `negligible_mm` farther from `q` than the closest; `None`
-    /// where the part is farther than `cap_mm`.
+    /// where the part is farther than `cap_mm`, or nearer by no more than `negligible_mm`.
     pub fn closest_within(&self, brep: &Brep, q: &Point, cap_mm: f64, negligible_mm: f64) -> Option<Closest> {
         let found = search::closest(self, brep, q, cap_mm, negligible_mm.max(search::NEGLIGIBLE_MM))?;
         Some(self.finish(brep, q, &found))

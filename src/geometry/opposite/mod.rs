@@ -26,6 +26,7 @@
 //! [`HELD_MM`]. A place without a partner, as on an edge, whose ball is that of the curvature, has
 //! none.
 
+use super::measured::Closest;
 use super::mesh::topology;
 use super::part::Part;
 use super::{Point, Vector};
@@ -89,6 +90,11 @@ pub struct SurfacePlace {
 }
 
 impl SurfacePlace {
+    /// Centre of a ball inside the part that is tangent there.
+    fn inside(&self, radius_mm: f64) -> Point {
+        self.point - self.normal * radius_mm
+    }
+
     /// Distance of the normal line here from that at another place, mm.
     pub fn lines_apart_mm(&self, other: &SurfacePlace) -> f64 {
         let across = self.normal.cross(&other.normal);
@@ -143,48 +149,13 @@ pub fn partner(part: &Part, first: SurfacePlace, within_mm: f64) -> Option<Pair>
 /// them is cut by the other, it is the partner across the wall still. Both normals pass through the
 /// ball's centre as those of any pair.
 pub fn partner_across_creases(part: &Part, first: SurfacePlace, within_mm: f64, held_share: f64) -> Option<Pair> {
-    let centre = |radius: f64| first.point - first.normal * radius;
     // A ball that touches there is no larger than the surface bends.
     let bent = part.closest(&first.point, ON_MM).and_then(|at| part.curvature_at(&at));
     let round_mm = bent.map(|p| -1.0 / p.curvature[1]).filter(|r| *r > 0.0 && *r < within_mm);
     let is_round = |radius_mm: f64| round_mm.is_some_and(|r| radius_mm >= r * (1.0 - LOOSE));
-    let mut radius_mm = round_mm.unwrap_or(within_mm);
-    let mut last = None;
-    let mut beside = LOOSE;
-    for _ in 0..STEPS {
-        // Of two places that are as near, which one is nearer is dear to tell. So a place has to be
-        // nearer than the first one by a share of the radius. The share falls as the ball comes to
-        // rest: while that is much too large any place well inside it makes it smaller.
-        let share = beside.max(held_share);
-        let found = part.closest_within(&centre(radius_mm), radius_mm * (1.0 - share), share * radius_mm);
-        let Some(near) = found else {
-            if share <= SAME.max(held_share) || is_round(radius_mm) {
-                break;
-            }
-            beside = (beside * TIGHTER).max(SAME);
-            continue;
-        };
-        let arm = first.point - near.point;
-        let off = first.normal.dot(&arm);
-        if arm.norm() < ONE_PLACE * radius_mm {
-            break;
-        }
-        if !(off > 0.0) {
-            return None;
-        }
-        let smaller = arm.norm_squared() / (2.0 * off);
-        last = Some(near);
-        let change = 1.0 - smaller / radius_mm;
-        if !(change > SAME) {
-            break;
-        }
-        radius_mm = smaller;
-        if change < SETTLED {
-            break;
-        }
-        beside = beside.min(change * change).max(SAME);
-    }
-    let rough = last.filter(|_| !is_round(radius_mm))?;
+    let start_mm = round_mm.unwrap_or(within_mm);
+    let (rough, radius_mm) = shrunk(part, &first, start_mm, held_share, &is_round)?;
+    let centre = |radius: f64| first.inside(radius);
     // Far enough that what the ball may hold beside the first place is not nearest.
     let beyond = BEYOND.max(2.0 * held_share);
     let from = |share: f64| {
@@ -216,6 +187,53 @@ pub fn partner_across_creases(part: &Part, first: SurfacePlace, within_mm: f64, 
         centre,
         radius_mm,
     })
+}
+
+/// The place that a ball comes to rest on as it shrinks from a radius on, tangent at the first
+/// place, and its radius then, mm. `None` where there is none, or the ball is that of the
+/// curvature.
+fn shrunk(
+    part: &Part,
+    first: &SurfacePlace,
+    start_mm: f64,
+    held_share: f64,
+    is_round: &dyn Fn(f64) -> bool,
+) -> Option<(Closest, f64)> {
+    let (mut radius_mm, mut beside, mut last) = (start_mm, LOOSE, None);
+    for _ in 0..STEPS {
+        // Of two places that are as near, which one is nearer is dear to tell. So a place has to be
+        // nearer than the first one by a share of the radius. The share falls as the ball comes to
+        // rest: while that is much too large any place well inside it makes it smaller.
+        let share = beside.max(held_share);
+        let found = part.closest_within(&first.inside(radius_mm), radius_mm * (1.0 - share), share * radius_mm);
+        let Some(near) = found else {
+            if share <= SAME.max(held_share) || is_round(radius_mm) {
+                break;
+            }
+            beside = (beside * TIGHTER).max(SAME);
+            continue;
+        };
+        let arm = first.point - near.point;
+        let off = first.normal.dot(&arm);
+        if arm.norm() < ONE_PLACE * radius_mm {
+            break;
+        }
+        if !(off > 0.0) {
+            return None;
+        }
+        let smaller = arm.norm_squared() / (2.0 * off);
+        last = Some(near);
+        let change = 1.0 - smaller / radius_mm;
+        if !(change > SAME) {
+            break;
+        }
+        radius_mm = smaller;
+        if change < SETTLED {
+            break;
+        }
+        beside = beside.min(change * change).max(SAME);
+    }
+    last.filter(|_| !is_round(radius_mm)).map(|near| (near, radius_mm))
 }
 
 #[cfg(test)]

@@ -168,12 +168,13 @@ pub(super) fn lean(b_rad: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector::z(), &Vector::new(sb, cb, 0.0)).unwrap_or_default()
 }
 
-/// The part's place on the machine in a row of the plan: where its axes stand, where each location
-/// has a cone of its own; else as [`crate::machine::Machine::shown_part`] shows it.
-fn part_on_machine(plan: &Plan, scene: &Scene, stand: &Stand, row: usize) -> Rigid {
-    let turns_with_cones = plan.toolpath.cones.same().is_none();
-    let at = turns_with_cones.then(|| plan.axes().nth(row)).flatten();
-    at.map_or_else(|| scene.machine.shown_part(about_the_blade(stand)), |at| scene.machine.part_at(at))
+/// The part's place on the machine in a row of the plan, whose axes stand `at`: by those where each
+/// location has a cone of its own; else as [`crate::machine::Machine::shown_part`] shows it.
+fn part_on_machine(plan: &Plan, scene: &Scene, stand: &Stand, at: Option<&[f64]>) -> Rigid {
+    match at.filter(|_| plan.toolpath.cones.same().is_none()) {
+        Some(at) => scene.machine.part_at(at),
+        None => scene.machine.shown_part(about_the_blade(stand)),
+    }
 }
 
 /// The machine frame's place in the scene, which is the model frame.
@@ -182,7 +183,7 @@ fn scene_from_machine(plan: &Plan, scene: &Scene) -> Rigid {
     if plan.toolpath.cones.same().is_none()
         && let Some(Row { stand, .. }) = plan.rows().next()
     {
-        let at_first = part_on_machine(plan, scene, &stand, 0) * mid;
+        let at_first = part_on_machine(plan, scene, &stand, plan.axes().next()) * mid;
         return Rigid::from_parts((scene.blade.model_from_blade * mid - at_first).into(), UnitQuaternion::identity());
     }
     let (at_zero, [axis_y, axis_z], _) = scene.machine.shown_table();
@@ -208,7 +209,8 @@ pub(super) fn animations(
     let (to_scene, part_from_model) = (scene_from_machine(plan, scene), model.inverse());
     let mut times: Vec<f32> = Vec::new();
     let [mut fixed, mut carried, mut turned] = [Track::default(), Track::default(), Track::default()];
-    let table_at = |row: usize| to_scene * part_on_machine(plan, scene, &rows[row].stand, row);
+    let axes: Vec<&[f64]> = plan.axes().collect();
+    let table_at = |row: usize| to_scene * part_on_machine(plan, scene, &rows[row].stand, axes.get(row).copied());
     for row in &keys {
         let Row { stand, t_s, .. } = &rows[*row];
         let time = single(t_s / speed)?;
