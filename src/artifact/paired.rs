@@ -86,6 +86,12 @@ pub struct PairedRows {
     pub planned_scallop_mm: [f64; 2],
     /// The rows, side by side: their places.
     pub rows: Vec<Range<usize>>,
+    /// So many of them, the last, go round the edges: tool 1 from its side round the edge beyond
+    /// the first row to the other side, tool 2 from its side round the edge beyond the last row of
+    /// opposite places.
+    pub edge_rows: usize,
+    /// Heights between which those run, mm; `None`: there are none.
+    pub edge_heights_mm: Option<[f64; 2]>,
     /// All places, row by row.
     pub places: Vec<PairPlace>,
     /// Why rows ended, with the number of heights at which they did.
@@ -145,7 +151,19 @@ impl PairedRows {
             end += row.len();
             from..end
         };
-        PairedRows { rows: rows.iter().map(numbered).collect(), places, ..self.clone() }
+        let first = self.places_held();
+        let edge_rows = rows.iter().filter(|r| r.start >= first).count();
+        PairedRows { rows: rows.iter().map(numbered).collect(), places, edge_rows, ..self.clone() }
+    }
+
+    /// The rows whose places are opposite each other: all but those round the edges.
+    pub fn held_rows(&self) -> usize {
+        self.rows.len().saturating_sub(self.edge_rows)
+    }
+
+    /// Number of places that are opposite each other; those round the edges come behind them.
+    pub fn places_held(&self) -> usize {
+        self.rows.get(self.held_rows()).map_or(self.places.len(), |r| r.start)
     }
 
     /// Length of all rows on a side, mm.

@@ -84,6 +84,9 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     let [one, two] = f.radius_mm;
     row("balls", format!("R {one} mm for tool 1, R {two} mm for tool 2"));
     row("rows", format!("{}, {} of them with the table still", f.rows, f.still_rows));
+    if let Some([low, high]) = f.edge_heights_mm {
+        row("  round the edges", format!("{} of them, at heights {low:.3} to {high:.3} mm", f.edge_rows));
+    }
     row("places of both tools", f.places.to_string());
     if f.cut_off > 0 {
         row("  cut off the ends of rows", format!("{}, where no angle of the table is free for both tools", f.cut_off));
@@ -93,10 +96,15 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     row("length of the rows", format!("{one:.1} mm and {two:.1} mm"));
     let [one, two] = f.covered.map(|share| 100.0 * share);
     row("of the airfoil", format!("{one:.1} % lie between the rows of tool 1, {two:.1} % between those of tool 2"));
+    if f.edge_rows > 0 {
+        row("  with the rows round the edges", format!("{:.1} % of it is machined", 100.0 * f.closed));
+    }
     row("rows end where", f.ends.clone());
     let [one, two] = f.measured.ridges_mm;
-    let of = ["ridges of tool 1", "ridges of tool 2", "the higher of both"];
-    for (of, [p05, p50, p95, p99, most]) in of.into_iter().zip([one, two, f.measured.binding_ridges_mm]) {
+    let of = ["ridges of tool 1", "ridges of tool 2", "the higher of both", "where rows meet"];
+    let all = [one, two, f.measured.binding_ridges_mm, f.measured.border_ridges_mm];
+    let shown = if f.edge_rows > 0 { all.len() } else { all.len() - 1 };
+    for (of, [p05, p50, p95, p99, most]) in of.into_iter().zip(all).take(shown) {
         let text = format!("{p05:.4} to {p95:.4} mm (median {p50:.4}, 99 % {p99:.4}, greatest {most:.4})");
         row(&format!("{of}, 5 % to 95 %"), text);
     }

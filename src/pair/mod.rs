@@ -22,7 +22,7 @@ mod share;
 pub use angles::FreeAngles;
 pub use apart::{Apart, Both};
 pub use hold::{Held, HoldOptions, hold};
-pub use settings::{PinchKeys, PinchSettings};
+pub use settings::{PinchEdges, PinchKeys, PinchSettings};
 pub use share::{HOLDS_DEG, Share, share};
 
 #[cfg(test)]

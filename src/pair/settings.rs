@@ -1,7 +1,20 @@
 //! `[pinch]` of the job file.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::settings::{TINY, section};
 use crate::tool::CLEARANCE_MM;
+
+/// Who goes round the edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PinchEdges {
+    /// Nobody: rows end where nothing is opposite.
+    None,
+    /// Tool 1 round one edge while tool 2 goes round the other.
+    Both,
+}
 
 section! {
     /// `[pinch]`: two tools that hold the blade between them, on both sides at the same time.
@@ -10,6 +23,9 @@ section! {
         /// default: all of the airfoil.
         #[serde(skip_serializing_if = "Option::is_none")]
         heights_mm: [f64; 2] as Option<[f64; 2]> = None;
+        /// Rows round the edges: `none`, or `both`: tool 1 round one edge while tool 2 goes round the
+        /// other.
+        edges: PinchEdges = PinchEdges::None;
         /// What the normals at both contacts may lack of being opposite, degrees.
         ///
         /// Equal forces then leave at most two thirds of one of them, along the blade's stiff

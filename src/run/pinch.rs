@@ -33,6 +33,14 @@ pub struct PinchSummary {
     pub radius_mm: [f64; 2],
     /// Rows.
     pub rows: usize,
+    /// So many of them, the last, go round the edges.
+    pub edge_rows: usize,
+    /// Heights of the ball centres between which those run, the lower first; left out: there are
+    /// none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge_heights_mm: Option<[f64; 2]>,
+    /// Share of the airfoil's area between those heights: both tools together machine all of it.
+    pub closed: f64,
     /// Those along which the table does not turn.
     pub still_rows: usize,
     /// Stretches that are cut at one angle of the table each.
@@ -45,7 +53,7 @@ pub struct PinchSummary {
     pub heights_mm: [f64; 2],
     /// Length of all rows of each tool.
     pub length_mm: [f64; 2],
-    /// Share of the airfoil's area that lies between the rows of each tool.
+    /// Share of the airfoil's area that lies between the rows of opposite places of each tool.
     pub covered: [f64; 2],
     /// Why rows end, in words.
     pub ends: String,
@@ -103,11 +111,14 @@ pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed
     let (narrowest, narrowest_place) = pinch.narrowest().unwrap_or_default();
     let own = |k: usize| pinch.own[k].iter().map(|f| f.widest()).fold(f64::INFINITY, f64::min);
     let turned: f64 = pinch.held.windows(2).map(|w| (w[1].theta_rad - w[0].theta_rad).abs()).sum();
-    let area = airfoil_mm2(setup);
+    let area = airfoil_mm2(setup, [f64::NEG_INFINITY, f64::INFINITY]);
     PinchSummary {
         name: setup.blade.name.clone(),
         radius_mm: pinch.rows.radius_mm,
         rows: pinch.rows.rows.len(),
+        edge_rows: pinch.rows.edge_rows,
+        edge_heights_mm: pinch.rows.edge_heights_mm,
+        closed: pinch.rows.edge_heights_mm.map_or(0.0, |h| airfoil_mm2(setup, h) / area.max(f64::MIN_POSITIVE)),
         still_rows: pinch.still_rows(),
         stretches: pinch.held.len(),
         places: pinch.rows.places.len(),
@@ -175,21 +186,28 @@ pub fn axes(setup: &Setup, motion: &PinchMotion) -> String {
     out
 }
 
-/// Area of the airfoil, mm².
-fn airfoil_mm2(setup: &Setup) -> f64 {
+/// Area of the airfoil between two heights, mm²: of each triangle that share of its area which its
+/// height lies between them.
+fn airfoil_mm2(setup: &Setup, [low, high]: [f64; 2]) -> f64 {
     let mesh = &setup.blade.part.mesh;
     let Some(airfoil) = setup.blade.regions.first(Area::Airfoil) else { return 0.0 };
     let own = (0..mesh.triangles.len()).filter(|t| airfoil.patch.has(mesh, *t as u32));
-    own.map(|t| mesh.triangle_area_mm2(t)).sum()
+    let between = |t: usize| {
+        let x = mesh.corners(t).map(|p| p.x);
+        let (from, to) = (x.into_iter().fold(f64::INFINITY, f64::min), x.into_iter().fold(f64::NEG_INFINITY, f64::max));
+        let inside = to.min(high) - from.max(low);
+        if to > from { (inside / (to - from)).clamp(0.0, 1.0) } else { f64::from(u8::from(inside >= 0.0)) }
+    };
+    own.map(|t| mesh.triangle_area_mm2(t) * between(t)).sum()
 }
 
-/// Area of the part between the contacts of neighbouring rows, mm²: to each place of a row the
+/// Area of the part between the contacts of neighbouring rows of opposite places, mm²: to each place of a row the
 /// triangle over its step with the nearest place of the next.
 fn between_rows_mm2(rows: &PairedRows, tool: usize) -> f64 {
     let contacts =
         |row: usize| rows.places[rows.rows[row].clone()].iter().map(|p| p.contacts[tool].contact).collect::<Vec<_>>();
     let mut sum = 0.0;
-    for row in 1..rows.rows.len() {
+    for row in 1..rows.held_rows() {
         let (a, b) = (contacts(row - 1), contacts(row));
         // Both run down: the strip between them, triangle by triangle, the lower end moved on.
         let start = |from: &[crate::geometry::Point], x: f64| from.partition_point(|p| p.x > x).saturating_sub(1);

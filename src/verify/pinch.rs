@@ -1,7 +1,7 @@
 //! Rows of two tools that hold a blade between them, judged apart from their planner.
 //!
-//! Each tool by itself: the swept ball in the part, ridges from row to row, the rest of the tool to
-//! the part, over the straight moves of each stretch, while the table stands still. Both together:
+//! Each tool by itself: the swept ball in the part, ridges from row to row, where rows round the
+//! edges meet the other tool's too, the rest of the tool to the part, over the straight moves of each stretch, while the table stands still. Both together:
 //! whether their normals face each other, by the part's own normals under both ball centres, and
 //! how far the tools are apart.
 //!
@@ -66,7 +66,11 @@ pub struct PinchFigures {
     pub ridges_mm: [[f64; 5]; 2],
     /// The same of the higher of both sides at each place: that which binds the distance of rows.
     pub binding_ridges_mm: [f64; 5],
-    /// Distance of the two normal lines: median, 99th percentile, greatest.
+    /// The same where rows round the edges lie beside rows of opposite places, of either tool;
+    /// zeros where there are none.
+    pub border_ridges_mm: [f64; 5],
+    /// Distance of the two normal lines: median, 99th percentile, greatest. Here and of the angle,
+    /// rows round the edges are left out.
     pub line_distance_mm: [f64; 3],
     /// What the normals lack of being opposite: median, 99th percentile, greatest, degrees.
     pub angle_deg: [f64; 3],
@@ -86,28 +90,32 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
     if order.len() < 2 {
         return (checks, figures);
     }
-    let mut sides = Vec::new();
-    for tool in 0..2 {
-        let contact = |k: usize| &work.rows.places[k].contacts[tool];
-        let row_of = |k: usize| work.rows.rows.partition_point(|r| r.end <= k) as u32;
-        let sweep = Sweep::of(
-            order.iter().map(|(_, k)| contact(*k).centre).collect(),
-            order.iter().map(|(_, k)| contact(*k).contact).collect(),
+    let contact = |tool: usize, k: usize| &work.rows.places[k].contacts[tool];
+    let row_of = |k: usize| work.rows.rows.partition_point(|r| r.end <= k) as u32;
+    let sweeps = [0, 1].map(|tool| {
+        Sweep::of(
+            order.iter().map(|(_, k)| contact(tool, *k).centre).collect(),
+            order.iter().map(|(_, k)| contact(tool, *k).contact).collect(),
             order.iter().map(|(_, k)| row_of(*k)).collect(),
             work.tools[tool].radius_mm,
             Some(cuts.clone()),
-        );
-        let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
+        )
+    });
+    let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
+    let (mut sides, mut borders) = (Vec::new(), Vec::new());
+    for (tool, sweep) in sweeps.iter().enumerate() {
         // Places are named as the rows number them, not as stretches pass them.
         let place = |i: usize| order.get(i).map_or(i, |(_, k)| *k);
         let name = |check: Check| {
             let quantity = format!("tool {}: {}", tool + 1, check.quantity);
             Check { quantity, row: check.row.map(place), ..check }
         };
-        checks.push(name(cuts::check(work.blade, &part, &EndWay::of_ball(&sweep), options)));
-        checks.extend(cuts::check_obstacles(work.blade, work.obstacles, &EndWay::of_ball(&sweep), options).map(name));
-        let side = ridges(&part, &sweep, options.scallop_mm);
-        let heights = sort(side.iter().copied().flatten().collect());
+        checks.push(name(cuts::check(work.blade, &part, &EndWay::of_ball(sweep), options)));
+        checks.extend(cuts::check_obstacles(work.blade, work.obstacles, &EndWay::of_ball(sweep), options).map(name));
+        let side = ridges(&part, sweep, work.rows.held_rows() as u32, options.scallop_mm);
+        let border = border_ridges(&part, &sweeps, tool, work, options.scallop_mm);
+        let heights = sort(side.iter().copied().flatten().chain(border.iter().copied()).collect());
+        borders.extend(border);
         figures.ridges_mm[tool] = five(&heights);
         checks.push(name(ridge_check(&heights, work, options)));
         sides.push(side);
@@ -115,7 +123,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
             .iter()
             .map(|(n, k)| {
                 let over = if tool == 0 { 0.0 } else { work.between_rad };
-                Stand { centre: contact(*k).centre, cone: work.cones[tool], theta: work.held[*n].1 + over }
+                Stand { centre: contact(tool, *k).centre, cone: work.cones[tool], theta: work.held[*n].1 + over }
             })
             .collect();
         let track = Track { stands: &stands, wanted: Some(&cuts) };
@@ -124,6 +132,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         }
     }
     figures.binding_ridges_mm = five(&binding(&sides));
+    figures.border_ridges_mm = five(&sort(borders));
     let (check, opposition) = opposed(work);
     checks.extend(check);
     (figures.line_distance_mm, figures.angle_deg) = opposition;
@@ -150,12 +159,58 @@ fn covered(work: &PinchWork) -> Check {
 }
 
 /// Ridges from each row to the next, at the same places for either tool; `None`: there is none.
-fn ridges(part: &Allowed, sweep: &Sweep, scallop_mm: f64) -> Vec<Option<Height>> {
+/// Behind the last row of opposite places, `held` of them, come those round the edges, elsewhere.
+fn ridges(part: &Allowed, sweep: &Sweep, held: u32, scallop_mm: f64) -> Vec<Option<Height>> {
     let every = sweep.centres.len().div_ceil(RIDGES);
     let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
     let of = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
     let rows: Vec<usize> = (0..sweep.centres.len()).step_by(every).collect();
-    parallel::map(rows, |row| of.at(row, sweep.turns[row] + 1))
+    let to_next = |row: usize| of.at(row, sweep.turns[row] + 1).filter(|_| sweep.turns[row] + 1 != held);
+    parallel::map(rows, to_next)
+}
+
+/// Ridges of a tool's rows round its edge to the rows of opposite places beside them, which are its
+/// own beside the first row and the other tool's beside the last.
+fn border_ridges(part: &Allowed, sweeps: &[Sweep; 2], tool: usize, work: &PinchWork, scallop_mm: f64) -> Vec<Height> {
+    let held = work.rows.held_rows();
+    if held == 0 || work.rows.edge_rows == 0 {
+        return Vec::new();
+    }
+    let sweep = &sweeps[tool];
+    let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
+    let of = Ridges { part, sweep, every: 1, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
+    let ends = [held, work.rows.rows.len() - 1];
+    let one = |(row, turn): (usize, usize)| {
+        // The outermost row that there is at this height: tool 1 begins beyond the first row.
+        let inwards = |n: usize| if tool == 0 { n } else { held - 1 - n };
+        let beside = |other: usize| {
+            (0..held).find_map(|n| of.beside(row, (&sweeps[other], inwards(n) as u32)).map(|(height, _)| height))
+        };
+        let found = [(ends[0], tool), (ends[1], 1 - tool)].map(|(end, other)| {
+            // Of one row both ends are its borders.
+            if turn == end { beside(other) } else { None }
+        });
+        if std::env::var("ZZ").is_ok() {
+            for (q, h) in found.iter().enumerate() {
+                if let Some(h) = h {
+                    if h.height_mm > 0.053 {
+                        let c = sweep.centres[row];
+                        eprintln!(
+                            "ZZ tool {} end {q} row {row} turn {turn} x {:.3} y {:.3} z {:.3} h {:.4}",
+                            tool + 1,
+                            c.x,
+                            c.y,
+                            c.z,
+                            h.height_mm
+                        );
+                    }
+                }
+            }
+        }
+        found.into_iter().flatten().collect::<Vec<_>>()
+    };
+    let rows = (0..sweep.centres.len()).map(|row| (row, sweep.turns[row] as usize));
+    parallel::map(rows.filter(|(_, turn)| ends.contains(turn)), one).concat()
 }
 
 /// The higher of the ridges of both sides at each place that has one on both, sorted.
@@ -229,7 +284,7 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
         let [one, two] = [feet[0]?, feet[1]?];
         Some([one.lines_apart_mm(&two), (one.normal + two.normal).norm().clamp(0.0, 2.0) / 2.0])
     };
-    let places: Vec<usize> = (0..work.rows.places.len()).collect();
+    let places: Vec<usize> = (0..work.rows.places_held()).collect();
     let found: Vec<Option<[f64; 2]>> = parallel::map(&places, of);
     let sorted = |column: usize| {
         let mut all: Vec<f64> = found.iter().map(|f| f.map_or(f64::INFINITY, |f| f[column])).collect();

@@ -117,18 +117,27 @@ impl Ridges<'_> {
 
     /// The same with the row that the other pass is at or behind.
     fn with_other(&self, row: usize, other: u32) -> Option<(Height, usize)> {
+        self.beside(row, (self.sweep, other))
+    }
+
+    /// The same where the pass beside is that of a turn of a sweep of its own, of another ball.
+    pub fn beside(&self, row: usize, (beside, other): (&Sweep, u32)) -> Option<(Height, usize)> {
         let Ridges { part, sweep, every, apart_mm, slack_mm } = *self;
         let radius = sweep.radius_mm;
         let c1 = midway(sweep, row);
-        let next = sweep.nearest(&c1, 1.9 * radius, |i| sweep.turns[i] == other && sweep.turns[i + 1] == other)?;
+        let reach = 0.95 * (radius + beside.radius_mm);
+        let next = beside.nearest(&c1, reach, |i| beside.turns[i] == other && beside.turns[i + 1] == other)?;
         let (i, d) = (next.segment, next.distance_mm);
         // An end of the other turn is not its nearest pass.
-        let at_start = next.t == 0.0 && sweep.turns.get(i.wrapping_sub(1)) != Some(&other);
-        let at_end = next.t == 1.0 && sweep.turns.get(i + 2) != Some(&other);
+        let at_start = next.t == 0.0 && beside.turns.get(i.wrapping_sub(1)) != Some(&other);
+        let at_end = next.t == 1.0 && beside.turns.get(i + 2) != Some(&other);
         if at_start || at_end {
             return None;
         }
-        let middle = c1 + (next.centre - c1) * 0.5;
+        // Where both balls meet: midway, or nearer to the smaller.
+        let more = radius * radius - beside.radius_mm * beside.radius_mm;
+        let share = if more == 0.0 { 0.5 } else { 0.5 + 0.5 * more / (d * d) };
+        let middle = c1 + (next.centre - c1) * share;
         let e = (next.centre - c1) / d;
         let foot = part.closest(&middle, 2.0 * radius)?.point;
         let weight = d * stretch_mm(sweep, row, every);
@@ -138,13 +147,21 @@ impl Ridges<'_> {
         let g = (middle - foot) - e * (middle - foot).dot(&e);
         let g = g.try_normalize(1e-9)?;
         let side = e.cross(&g);
-        let circle = (radius * radius - 0.25 * d * d).sqrt();
+        let circle = (radius * radius - (share * d).powi(2)).sqrt();
+        if circle.is_nan() {
+            return None;
+        }
         let point = |angle: f64| middle - (g * angle.cos() + side * angle.sin()) * circle;
         let (height_mm, point) = lowest(part, point, radius)?;
         let under = part.closest(&point, radius)?;
         // Up to the ridge itself: the normal of a facet may point past it.
         let up_to = (point - under.point).try_normalize(1e-6).filter(|_| height_mm > 0.0);
-        let entry = up_to.and_then(|n| sweep.entry(&under.point, &n, REACH_STEPOVERS * d));
+        let entry = |of: &Sweep| up_to.and_then(|n| of.entry(&under.point, &n, REACH_STEPOVERS * d));
+        let entry = match (entry(sweep), std::ptr::eq(sweep, beside)) {
+            (Some(own), false) => entry(beside).map(|t| t.min(own)).or(Some(own)),
+            (None, false) => entry(beside),
+            (own, true) => own,
+        };
         // By less than this it is the chords of the same two passes.
         let sag = CUT * (radius - circle);
         let left = entry.filter(|t| *t < height_mm - sag).unwrap_or(height_mm);

@@ -42,23 +42,46 @@ fn is_one_way(a: &Standing, b: &Standing) -> bool {
     way(1) <= JUMP * way(0).max(SHORTEST_MM)
 }
 
-/// A row on the curve of tool 1 through its places.
-struct Filling<'a> {
+/// A row through its places.
+struct Filling<'a, F> {
     sheet: &'a Sheet<'a>,
-    curve: LevelCurve<'a>,
+    /// Both balls at a share of the way from a height to the next, beside a place.
+    at: F,
     options: PathOptions,
 }
 
+/// The curve of a tool's ball through its places.
+fn curve<'a>(sheet: &'a Sheet, touches: &'a [Touch], tool: usize) -> LevelCurve<'a> {
+    LevelCurve { level: &sheet.levels[tool], touches, tangents: tangents(None, touches, None) }
+}
+
+/// A row on the curve of tool 1 through its places, tool 2 opposite.
 fn filled(sheet: &Sheet, row: &[Standing]) -> Vec<Standing> {
+    let touches: Vec<Touch> = row.iter().map(|s| s.touches[0]).collect();
+    let curve = curve(sheet, &touches, 0);
+    let at = |k: usize, share: f64, a: &Standing| curve.between(k, share).and_then(|t| sheet.beside(a, t).ok());
+    filled_by(sheet, row, at)
+}
+
+/// A row round both edges, each tool on a curve of its own.
+pub(super) fn round_edges(sheet: &Sheet, row: &[Option<Standing>]) -> Vec<Standing> {
+    let row: Vec<Standing> = row.iter().flatten().copied().collect();
+    let touches = [0, 1].map(|j| row.iter().map(|s| s.touches[j]).collect::<Vec<Touch>>());
+    let curves = [0, 1].map(|j| curve(sheet, &touches[j], j));
+    let stock_mm = sheet.options.settings.stock_mm;
+    let at = |k: usize, share: f64, _: &Standing| {
+        Some(Standing::round_edges([curves[0].between(k, share)?, curves[1].between(k, share)?], stock_mm))
+    };
+    filled_by(sheet, &row, at)
+}
+
+fn filled_by(sheet: &Sheet, row: &[Standing], at: impl Fn(usize, f64, &Standing) -> Option<Standing>) -> Vec<Standing> {
     if row.len() < 2 {
         return row.to_vec();
     }
-    let touches: Vec<Touch> = row.iter().map(|s| s.touches[0]).collect();
-    let level = &sheet.levels[0];
-    let curve = LevelCurve { level, touches: &touches, tangents: tangents(None, &touches, None) };
-    let usual = PathOptions::new(level.radius_mm, sheet.options.settings.scallop_mm);
+    let usual = PathOptions::new(sheet.levels[0].radius_mm, sheet.options.settings.scallop_mm);
     let options = PathOptions { settings: sheet.options.settings.clone(), ..usual };
-    let filling = Filling { sheet, curve, options };
+    let filling = Filling { sheet, at, options };
     // Where a place between two heights has no partner the row is parted there, and its longest
     // piece is kept.
     let (mut best, mut out) = (Vec::new(), vec![row[0]]);
@@ -80,7 +103,7 @@ fn keep_longer(best: &mut Vec<Standing>, other: Vec<Standing>) {
     }
 }
 
-impl Filling<'_> {
+impl<F: Fn(usize, f64, &Standing) -> Option<Standing>> Filling<'_, F> {
     /// Adds places strictly between two shares of the way from a height to the next; `None`: a
     /// place between them has no partner.
     fn between(
@@ -95,7 +118,7 @@ impl Filling<'_> {
             return is_one_way(a, b).then_some(());
         }
         let mid = 0.5 * (from + to);
-        let at = self.curve.between(k, mid).and_then(|t| self.sheet.beside(a, t).ok())?;
+        let at = (self.at)(k, mid, a)?;
         let splits = (0..2).any(|j| {
             let (l, r) = (&a.touches[j], &b.touches[j]);
             let off = (at.touches[j].centre - closest_on_segment(&l.centre, &r.centre, &at.touches[j].centre)).norm();

@@ -24,6 +24,7 @@
 //!
 //! [`opposite`]: crate::geometry::opposite
 
+mod edges;
 mod fill;
 mod first;
 mod lay;
@@ -64,6 +65,8 @@ pub struct PairOptions {
     pub max_angle_rad: f64,
     /// Room that the tools keep from each other, mm.
     pub apart_mm: f64,
+    /// Whether rows go round the edges too, one tool round each.
+    pub edges: bool,
 }
 
 /// Lays rows for two tools.
@@ -87,17 +90,23 @@ pub fn plan(blade: &Blade, options: &PairOptions, observer: &dyn Observer) -> Re
     other.ends.into_iter().for_each(|(end, n)| *ends.entry(end).or_default() += n);
     let mut ends: Vec<(RowEnd, usize)> = ends.into_iter().collect();
     ends.sort_by_key(|(end, n)| (usize::MAX - n, *end));
+    let at_first = one.rows.len();
     let laid: Vec<Vec<Option<Standing>>> =
         one.rows.into_iter().rev().chain(std::iter::once(first)).chain(other.rows).collect();
+
     let filled = fill::all(&sheet, &laid, observer)?;
+    let edges = if options.edges { edges::rows(&sheet, (&filled, at_first), &heights_mm, observer)? } else { None };
     let mut places: Vec<PairPlace> = Vec::new();
     let mut rows = Vec::with_capacity(filled.len());
-    for row in filled.iter().filter(|row| row.len() > 1) {
+    let mut add = |row: &Vec<Standing>| {
         let from = places.len();
         places.extend(row.iter().map(Standing::place));
         rows.push(from..places.len());
-    }
-    let planned_scallop_mm = [0, 1].map(|j| one.greatest_mm[j].max(other.greatest_mm[j]));
+    };
+    filled.iter().filter(|row| row.len() > 1).for_each(&mut add);
+    edges.iter().flat_map(|e| &e.rows).for_each(add);
+    let greatest_mm = [one.greatest_mm, other.greatest_mm, edges.as_ref().map_or([0.0; 2], |e| e.greatest_mm)];
+    let planned_scallop_mm = [0, 1].map(|j| greatest_mm.iter().map(|g| g[j]).fold(0.0, f64::max));
     Ok(PairedRows {
         radius_mm: options.radius_mm,
         stock_mm: options.settings.stock_mm,
@@ -105,6 +114,8 @@ pub fn plan(blade: &Blade, options: &PairOptions, observer: &dyn Observer) -> Re
         chord_mm: options.settings.chord_mm,
         heights_mm: [low, high],
         planned_scallop_mm,
+        edge_rows: edges.as_ref().map_or(0, |e| e.rows.len()),
+        edge_heights_mm: edges.map(|e| e.heights_mm),
         rows,
         places,
         ends,

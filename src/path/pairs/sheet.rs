@@ -42,6 +42,22 @@ pub(super) struct Standing {
 }
 
 impl Standing {
+    /// Balls at both edges, which hold nothing between them: what is midway between their contacts
+    /// stands for it.
+    pub fn round_edges(touches: [Touch; 2], stock_mm: f64) -> Self {
+        let [first, second] =
+            touches.map(|t| SurfacePlace { point: t.contact - t.normal * stock_mm, normal: t.normal });
+        let pair = Pair {
+            first,
+            second,
+            face: touches[1].face,
+            triangle: None,
+            centre: nalgebra::center(&first.point, &second.point),
+            radius_mm: 0.5 * (second.point - first.point).norm(),
+        };
+        Standing { touches, pair }
+    }
+
     /// The same as it is carried on.
     pub fn place(&self) -> PairPlace {
         let contact = |t: &Touch| BallContact { centre: t.centre, contact: t.contact, normal: t.normal, face: t.face };

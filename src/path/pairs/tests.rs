@@ -43,6 +43,7 @@ fn options(radius_mm: [f64; 2]) -> PairOptions {
         heights_mm: Some([10.0, 50.0]),
         max_angle_rad: 0.7,
         apart_mm: 0.1,
+        edges: false,
     }
 }
 

@@ -19,7 +19,7 @@ use crate::error::{Error, Infeasible, Result, Stage};
 use crate::numerics::angle::within_half_turn;
 use crate::numerics::runs::longest;
 use crate::observe::{Observer, timed};
-use crate::pair::{self, Both, FreeAngles, Held, HoldOptions, PinchSettings};
+use crate::pair::{self, Both, FreeAngles, Held, HoldOptions, PinchEdges, PinchSettings};
 use crate::path::pairs::{self, PairOptions};
 use crate::tool::Tool;
 use crate::verify::{self, PinchAsked, PinchFigures, PinchWork};
@@ -144,6 +144,7 @@ impl Setup {
             heights_mm: asked.heights_mm,
             max_angle_rad: asked.max_angle_deg.to_radians(),
             apart_mm: asked.tools_apart_mm,
+            edges: asked.edges == PinchEdges::Both,
         };
         let rows = timed(observer, Stage::Path, || pairs::plan(&self.blade, &options, observer))?;
         let cones = self.pinch_cones();

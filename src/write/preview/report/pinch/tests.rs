@@ -34,6 +34,8 @@ fn rows() -> PairedRows {
         }
     };
     PairedRows {
+        edge_rows: 0,
+        edge_heights_mm: None,
         radius_mm: [3.0, 3.0],
         stock_mm: 0.0,
         scallop_mm: 0.01,
