@@ -11,6 +11,7 @@ use bladewright::artifact::report::Check;
 use bladewright::artifact::{PairedRows, Stand};
 use bladewright::job::JobFile;
 use bladewright::observe::Silent;
+use bladewright::pair::Held;
 use bladewright::plan::Setup;
 use bladewright::plan::pinch::{Pinch, PinchProgrammed};
 use bladewright::run::Loaded;
@@ -766,4 +767,60 @@ fn what_cannot_be_held_leaves_nothing_behind() {
         assert!(text.contains(says), "{arguments:?}: {text}");
         assert!(!out.exists(), "{arguments:?}");
     }
+}
+
+/// Rows round both edges close the airfoil; what is wrong with them is found.
+#[test]
+fn rows_round_the_edges_close_the_airfoil() {
+    let (setup, pinch) = plan_for(&["pinch.edges=\"both\""]);
+    let failed: Vec<&Check> = pinch.checks.iter().filter(|c| !c.passed).collect();
+    assert!(failed.is_empty(), "{failed:?}");
+    let rows = &pinch.rows;
+    assert!(rows.edge_rows > 2 && rows.held_rows() > 20, "{} {}", rows.edge_rows, rows.held_rows());
+    let border = pinch.figures.border_ridges_mm;
+    assert!(border[1] > 0.0 && border[3] < 0.103, "{border:?}");
+    // The normals of both tools turn together, from one side to the other.
+    let normals = |row: usize| rows.places[rows.rows[row].start].contacts.map(|c| c.normal);
+    let (first, last) = (normals(rows.held_rows()), normals(rows.rows.len() - 1));
+    for j in 0..2 {
+        assert!(first[j].dot(&last[j]) < -0.3, "tool {}: {} {}", j + 1, first[j], last[j]);
+    }
+    let faults = |rows: PairedRows| -> Vec<String> {
+        let held = pinch.stretches();
+        let work = PinchWork { rows: &rows, ..setup.pinch_work(&pinch, &held) };
+        let (checks, _) = verify::check_pinch(&work, &setup.verify_options());
+        checks.into_iter().filter(|c| !c.passed).map(|c| format!("{} {}", c.id, c.quantity)).collect()
+    };
+    assert!(faults(rows.clone()).is_empty());
+    // Tool 1 goes round its edge in the row after, so beside the first of them a row is missing.
+    let mut late = rows.clone();
+    let n = rows.rows.len();
+    let shift = |late: &mut PairedRows, tool: usize, from: usize| {
+        for row in from..n - 1 {
+            let next = rows.places[rows.rows[row + 1].clone()].to_vec();
+            let places = late.rows[row].clone();
+            for (i, k) in places.enumerate() {
+                late.places[k].contacts[tool] = next[(i * next.len()) / rows.rows[row].len()].contacts[tool];
+            }
+        }
+    };
+    shift(&mut late, 0, rows.held_rows());
+    let found = faults(late);
+    assert!(found.iter().any(|f| f.starts_with("ridge tool 1")), "{found:?}");
+}
+
+/// A stretch from a place to the next is one line, as each move is.
+#[test]
+fn a_stretch_of_two_places_is_read_back() {
+    let machine = format!("machine.file={TWO_HEADS:?}");
+    let (setup, mut pinch) = plan_for(&[&machine, &format!("post.control={CONTROLS:?}")]);
+    let last = pinch.held.pop().expect("a stretch");
+    let (from, end) = (last.places.start, last.places.end);
+    for places in [from..end - 1, end - 2..end] {
+        pinch.held.push(Held { places, ..last.clone() });
+    }
+    let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
+    let failed: Vec<&Check> = programmed.all_checks().filter(|c| !c.passed).collect();
+    assert!(failed.is_empty(), "{failed:?}");
+    assert_eq!(programmed.motion.stretches.last().map(|s| s.places.len()), Some(2));
 }

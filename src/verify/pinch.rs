@@ -190,23 +190,6 @@ fn border_ridges(part: &Allowed, sweeps: &[Sweep; 2], tool: usize, work: &PinchW
             // Of one row both ends are its borders.
             if turn == end { beside(other) } else { None }
         });
-        if std::env::var("ZZ").is_ok() {
-            for (q, h) in found.iter().enumerate() {
-                if let Some(h) = h {
-                    if h.height_mm > 0.053 {
-                        let c = sweep.centres[row];
-                        eprintln!(
-                            "ZZ tool {} end {q} row {row} turn {turn} x {:.3} y {:.3} z {:.3} h {:.4}",
-                            tool + 1,
-                            c.x,
-                            c.y,
-                            c.z,
-                            h.height_mm
-                        );
-                    }
-                }
-            }
-        }
         found.into_iter().flatten().collect::<Vec<_>>()
     };
     let rows = (0..sweep.centres.len()).map(|row| (row, sweep.turns[row] as usize));

@@ -182,10 +182,11 @@ fn midway(sweep: &Sweep, row: usize) -> Point {
     from + (to - from) * (row as f64 * GOLDEN).fract()
 }
 
-/// Half the way of the contacts from `every` moves before the row to as many after it, mm.
+/// Half the way of the contacts from `every` moves before the row to as many after it, without those
+/// that only lead to another row, mm.
 pub(super) fn stretch_mm(sweep: &Sweep, row: usize, every: usize) -> f64 {
     let (from, to) = (row.saturating_sub(every), (row + every).min(sweep.centres.len() - 1));
-    0.5 * (from..to).map(|i| sweep.contact_way_mm(i)).sum::<f64>()
+    0.5 * (from..to).filter(|i| sweep.counts(*i)).map(|i| sweep.contact_way_mm(i)).sum::<f64>()
 }
 
 /// Lowest height of the points of a short arc about angle 0 over the part: three heights, a

@@ -29,16 +29,26 @@ use crate::tool::stepover::flat_stepover_mm;
 /// Borders of strips bend by at most so much, over one by the radius of the ball.
 const BEND: f64 = 0.5;
 /// Contours are traced in steps of at most this share of the radius …
-const STEP: f64 = 0.2;
+const STEP: f64 = 0.1;
 /// … and this turn of the normal, rad.
-const TURN_RAD: f64 = 0.06;
-/// Rows are measured and laid anew so many times.
-const TRIALS: usize = 4;
+const TURN_RAD: f64 = 0.03;
+/// Rows are measured and laid anew so many times …
+const CORRECTIONS: usize = 3;
+/// … and then one by one closer, so many trials in all.
+const TRIALS: usize = 12;
 /// The share of the scallop that rows aim at; chords and places between heights take the rest.
 const AIM: f64 = 0.98;
 /// The number of stepovers between two rows is corrected by no more than this factor at a time, or
 /// its inverse.
 const MOST_CORRECTION: f64 = 1.5;
+/// A correction is the greatest of so many heights to either side …
+const BESIDE: usize = 4;
+/// … evened so many times with the heights beside it.
+const MEAN: usize = 12;
+/// Rows are low enough where this share of their ridges is no higher than the scallop …
+const LOW: f64 = 0.99;
+/// … and none by more than this factor.
+const MOST_OVER: f64 = 1.15;
 /// A height is taken in where this share of what its rows would go over is needed there.
 const WORTH: f64 = 1.0 / 3.0;
 /// So many ranges of heights are looked at: those whose strips have at most so many stepovers, each
@@ -55,8 +65,9 @@ struct Contour {
     rings: [Ring; 2],
     /// Way on either ring from its start to the first row's place on the other side, mm.
     other_mm: [f64; 2],
-    /// Ways from the first row's place to the outermost rows', clockwise and counter-clockwise: on
-    /// the ring of tool 1 on its own side, on the ring of tool 2 on the other.
+    /// Ways from the first row's places to those of the outermost row towards an edge, on tool 1's
+    /// side and on the other, mm: of the first row on the ring of tool 1, of the last on that of
+    /// tool 2.
     own_mm: [[f64; 2]; 2],
 }
 
@@ -89,7 +100,7 @@ impl Contour {
         // A row that is the first one itself lies at the start of the ring or at its end.
         let clockwise = if one[0] > other_mm[0] { rings[0].length_mm - one[0] } else { 0.0 };
         let counter = if two[0] < other_mm[1] { two[0] } else { 0.0 };
-        let own_mm = [[clockwise, (one[1] - other_mm[0]).max(0.0)], [counter, (other_mm[1] - two[1]).max(0.0)]];
+        let own_mm = [[clockwise, one[1] - other_mm[0]], [counter, other_mm[1] - two[1]]];
         Some(Contour { own_mm, rings, other_mm })
     }
 }
@@ -225,7 +236,7 @@ impl Together {
 /// heights, that bends by no more than `bend`, 1/mm, to either side: the least parabolas that open
 /// upwards over each value, and under these the highest that open downwards and are twice as
 /// narrow (the regularisation of Lasry and Lions, Israel Journal of Mathematics 55, 1986, 257).
-fn smooth_under(values: &[f64], x_mm: &[f64], bend: f64) -> Vec<f64> {
+pub(super) fn smooth_under(values: &[f64], x_mm: &[f64], bend: f64) -> Vec<f64> {
     let beside = |k: usize| values[k.saturating_sub(1)..(k + 2).min(values.len())].iter().copied();
     let least: Vec<f64> = (0..values.len()).map(|k| beside(k).fold(f64::INFINITY, f64::min)).collect();
     let (lo, hi) = least.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
@@ -282,23 +293,33 @@ pub(super) fn rows(
     let contours: Vec<Contour> = contours.into_iter().skip(run.start).take(run.len()).flatten().collect();
     let Some((heights, mut strips)) = chosen(sheet, &contours) else { return Ok(None) };
     let contours = &contours[heights];
-    let mut best: Option<(usize, Laid)> = None;
-    for _ in 0..TRIALS {
+    let scallop_mm = sheet.options.settings.scallop_mm;
+    let (mut best, mut more): (Option<Laid>, usize) = (None, 0);
+    for trial in 0..TRIALS {
         observer.check(Stage::Path)?;
         let most = strips.iter().map(Together::all).fold(0.0, f64::max);
         // Of one gap there is no row: the border's rows leave nothing.
-        let gaps = (most - 1e-6).ceil().max(1.0) as usize;
+        let gaps = (most - 1e-6).ceil().max(1.0) as usize + more;
         let Some(laid) = Laid::of(sheet, contours, &strips, gaps) else { break };
-        let is_low = laid.greatest() <= sheet.options.settings.scallop_mm;
-        laid.correct(&mut strips, AIM * sheet.options.settings.scallop_mm);
-        if best
-            .as_ref()
-            .is_none_or(|(n, b)| (!is_low, gaps, 0.0) < (b.greatest() > sheet.options.settings.scallop_mm, *n, 0.0))
-        {
-            best = Some((gaps, laid));
+        let is_low = laid.is_low(scallop_mm);
+        if trial < CORRECTIONS {
+            laid.correct(&mut strips, AIM * scallop_mm);
+        } else {
+            more += 1;
+        }
+        // Of those that are low enough the one of fewest rows, else the lowest.
+        let rank = |laid: &Laid| match laid.is_low(scallop_mm) {
+            true => (false, laid.rows.len() as f64),
+            false => (true, laid.greatest()),
+        };
+        if best.as_ref().is_none_or(|b| rank(&laid) < rank(b)) {
+            best = Some(laid);
+        }
+        if is_low && trial >= CORRECTIONS {
+            break;
         }
     }
-    let Some((_, laid)) = best else { return Ok(None) };
+    let Some(laid) = best else { return Ok(None) };
     let inner = laid.rows.get(1..laid.rows.len() - 1).unwrap_or_default();
     let rows = parallel::try_map(inner, |row| {
         observer.check(Stage::Path)?;
@@ -375,21 +396,36 @@ impl Laid {
         self.greatest_mm[0].max(self.greatest_mm[1])
     }
 
-    /// Makes the stepovers those that were measured: ridges grow as their square.
+    fn is_low(&self, scallop_mm: f64) -> bool {
+        let all = self.ridges_mm.iter().flatten().flatten().filter(|r| r.is_finite());
+        let high = all.clone().filter(|r| **r > scallop_mm).count();
+        self.greatest() <= MOST_OVER * scallop_mm && high as f64 <= (1.0 - LOW) * all.count() as f64
+    }
+
+    /// Makes the stepovers those that were measured, the most of heights beside one another, evened:
+    /// ridges grow as their square.
     fn correct(&self, strips: &mut [Together], aim_mm: f64) {
         let gaps = self.ridges_mm.len();
-        for (k, strip) in strips.iter_mut().enumerate() {
+        let counted: Vec<f64> = strips.iter().map(|strip| strip.all() / gaps as f64).collect();
+        let measured = |k: usize, n: usize| {
+            let [one, two] = self.ridges_mm[n][k];
+            let ridge_mm = if one.max(two).is_finite() { one.max(two) } else { aim_mm };
+            (ridge_mm / aim_mm).max(0.0).sqrt().clamp(counted[k] / MOST_CORRECTION, counted[k] * MOST_CORRECTION)
+        };
+        let own: Vec<Vec<f64>> = (0..strips.len()).map(|k| (0..gaps).map(|n| measured(k, n)).collect()).collect();
+        let most = |k: usize, n: usize| {
+            let beside = &own[k.saturating_sub(BESIDE)..(k + BESIDE + 1).min(own.len())];
+            beside.iter().map(|row| row[n]).fold(0.0, f64::max)
+        };
+        let mut steps: Vec<Vec<[f64; 1]>> =
+            (0..strips.len()).map(|k| (0..gaps).map(|n| [most(k, n)]).collect()).collect();
+        (0..MEAN).for_each(|_| steps = evened(&steps));
+        for (strip, steps) in strips.iter_mut().zip(&steps) {
             let all = strip.all();
-            let measured = |n: usize| {
-                let [one, two] = self.ridges_mm[n][k];
-                let counted = all / gaps as f64;
-                let ridge_mm = if one.max(two).is_finite() { one.max(two) } else { aim_mm };
-                (ridge_mm / aim_mm).max(0.0).sqrt().clamp(counted / MOST_CORRECTION, counted * MOST_CORRECTION)
-            };
             let mut upto = vec![0.0];
-            (0..gaps).for_each(|n| upto.push(upto[n] + measured(n)));
-            let at = |steps: f64| {
-                let gap = steps / all.max(f64::MIN_POSITIVE) * gaps as f64;
+            (0..gaps).for_each(|n| upto.push(upto[n] + steps[n][0]));
+            let at = |counted: f64| {
+                let gap = counted / all.max(f64::MIN_POSITIVE) * gaps as f64;
                 let n = (gap as usize).min(gaps - 1);
                 upto[n] + (upto[n + 1] - upto[n]) * (gap - n as f64)
             };
@@ -398,12 +434,12 @@ impl Laid {
     }
 }
 
-/// Places of rows from height to height with what jumps between three heights taken off them.
-fn evened(places: &[Vec<[f64; 2]>]) -> Vec<Vec<[f64; 2]>> {
-    let last = places.len().saturating_sub(1);
+/// Values of rows from height to height with what jumps between three heights taken off them.
+fn evened<const N: usize>(values: &[Vec<[f64; N]>]) -> Vec<Vec<[f64; N]>> {
+    let last = values.len().saturating_sub(1);
     let at = |k: usize, n: usize, j: usize| {
-        let [before, here, after] = [k.saturating_sub(1), k, k + 1].map(|k| places[k.min(last)][n][j]);
+        let [before, here, after] = [k.saturating_sub(1), k, k + 1].map(|k| values[k.min(last)][n][j]);
         if k == 0 || k == last { here } else { 0.25 * (before + 2.0 * here + after) }
     };
-    (0..places.len()).map(|k| (0..places[k].len()).map(|n| [0, 1].map(|j| at(k, n, j))).collect()).collect()
+    (0..values.len()).map(|k| (0..values[k].len()).map(|n| std::array::from_fn(|j| at(k, n, j))).collect()).collect()
 }

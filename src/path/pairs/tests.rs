@@ -137,3 +137,90 @@ fn what_cannot_be_held_is_refused_with_the_reason() {
     let (_, message) = says(&plate(), &PairOptions { apart_mm: 5.0, ..usual.clone() });
     assert!(message.contains("no place of the suction side has an opposite one"), "{message}");
 }
+
+/// Both tools go round the edges of a plate: over its flat ends, and round its corners without a
+/// row, since nothing is left there.
+#[test]
+fn rows_go_round_both_edges() {
+    for radii in [[4.0, 4.0], [4.0, 6.0]] {
+        let asked = PairOptions { edges: true, ..options(radii) };
+        let (blade, rows) = (plate(), plan(&plate(), &asked, &Silent).unwrap());
+        let without = plan(&blade, &options(radii), &Silent).unwrap();
+        assert_eq!(rows.held_rows(), without.rows.len());
+        assert_eq!(rows.places[..rows.places_held()], without.places);
+        assert_eq!(
+            (without.edge_rows, without.edge_heights_mm, without.places_held()),
+            (0, None, without.places.len())
+        );
+        let [low, high] = rows.edge_heights_mm.unwrap();
+        assert!((10.0..12.0).contains(&low) && (48.0..=50.0).contains(&high), "{low} {high}");
+        // From the outermost row to the corner, over the end, and to the row of the other side: the
+        // rows are as many as stepovers of the smaller ball over the longer strip, less one.
+        let last = without.rows.len() - 1;
+        let border = |row: usize| {
+            let y = without.places[without.rows[row].start].contacts[0].contact.y;
+            y.min(SIZE[1] - y)
+        };
+        let strip_mm = SIZE[2] + 2.0 * border(0).max(border(last));
+        let gaps = strip_mm / flat_stepover_mm(4.0, 0.99 * H);
+        let count = rows.edge_rows as f64 + 1.0;
+        assert!(count >= gaps.floor() && count <= gaps + 2.0, "{count} gaps, {gaps} stepovers");
+        let mut azimuths: Vec<[f64; 2]> = Vec::new();
+        for row in &rows.rows[rows.held_rows()..] {
+            let places = &rows.places[row.clone()];
+            let (from, to) = (places[0].contacts[0].centre.x, places[places.len() - 1].contacts[0].centre.x);
+            assert!((from - high).abs() < 1e-9 && (to - low).abs() < 1e-9, "from the top down");
+            for p in places {
+                for (c, r) in p.contacts.iter().zip(radii) {
+                    let near = blade.part.closest(&c.centre, 20.0).unwrap();
+                    assert!((near.distance_mm - r).abs() < 1e-5 && (near.point - c.contact).norm() < 1e-5);
+                    assert!((c.centre - c.contact - c.normal * r).norm() < 1e-5);
+                }
+                let [a, b] = p.contacts;
+                assert!((a.centre.x - b.centre.x).abs() < 1e-6, "both tools are at one height");
+                // One round y = 0, the other round y = 40.
+                assert!((a.contact.y < 20.0) == (b.contact.y > 20.0));
+            }
+            azimuths.push([0, 1].map(|j| places[0].contacts[j].normal.z));
+        }
+        // Each tool goes from its own side to the other's.
+        let [first, end] = [azimuths[0], azimuths[azimuths.len() - 1]];
+        let own = without.places[0].contacts.map(|c| c.normal.z.signum());
+        for j in 0..2 {
+            assert!(first[j] * own[j] > 0.9 && end[j] * own[j] < -0.9, "{first:?} {end:?} {own:?}");
+            let falls = azimuths.windows(2).all(|w| (w[1][j] - w[0][j]) * own[j] < 1e-6);
+            assert!(falls, "tool {}: {azimuths:?}", j + 1);
+        }
+        // No two of them are farther apart than the scallop allows, where both are on a flat face.
+        for w in rows.rows[rows.held_rows()..].windows(2) {
+            for (j, r) in radii.iter().enumerate() {
+                let [a, b] = [0, 1].map(|k| rows.places[w[k].start].contacts[j]);
+                let flat = a.normal.dot(&b.normal) > 1.0 - 1e-9;
+                assert!(!flat || (b.contact - a.contact).norm() <= flat_stepover_mm(*r, H), "{a:?} {b:?}");
+            }
+        }
+        let only = rows.only(&[rows.rows[3].clone(), rows.rows[rows.held_rows()].clone()]);
+        assert_eq!((only.rows.len(), only.edge_rows, only.held_rows()), (2, 1, 1));
+        assert_eq!(only.places_held(), only.rows[0].len());
+    }
+}
+
+#[test]
+fn a_border_is_smooth_and_nowhere_beyond_what_it_is_drawn_under() {
+    let x_mm: Vec<f64> = (0..120).map(|k| -0.5 * f64::from(k)).collect();
+    let steps = |k: usize| if k < 30 { 8.0 } else { 8.0 + (k / 10) as f64 - if k > 80 { 6.0 } else { 0.0 } };
+    let values: Vec<f64> = (0..120usize).map(steps).collect();
+    let bend = 0.2;
+    let found = super::edges::smooth_under(&values, &x_mm, bend);
+    for k in 0..120usize {
+        let beside = values[k.saturating_sub(1)..(k + 2).min(120)].iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(found[k] <= beside + 1e-12, "{k}");
+    }
+    let bends = found.windows(3).map(|w| ((w[0] - 2.0 * w[1] + w[2]) / 0.25).abs());
+    // To the grid's step.
+    assert!(bends.fold(0.0, f64::max) <= 1.3 * bend, "{found:?}");
+    // Where nothing jumps it is what it is drawn under.
+    assert!((found[5] - 8.0).abs() < 1e-12);
+    let even = super::edges::smooth_under(&[3.0; 120], &x_mm, bend);
+    assert!(even.iter().all(|v| *v == 3.0));
+}

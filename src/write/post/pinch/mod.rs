@@ -210,7 +210,9 @@ impl<'a> Writer<'a> {
 
     fn stretch(&mut self, stretch: &StretchMotion) -> Result<()> {
         let (p, text, motion) = (self.p, self.text, &stretch.motion);
-        let Some(last) = motion.position.len().checked_sub(1) else { return Ok(()) };
+        if motion.position.is_empty() {
+            return Ok(());
+        }
         let lift_s =
             |k: usize, feed: f64| (60.0 * stretch.lifts_mm[k][0].max(stretch.lifts_mm[k][1]) / feed).max(LEAST_S);
         (self.place, self.at) = ([stretch.row, stretch.stretch], stretch.over[0]);
@@ -218,8 +220,10 @@ impl<'a> Writer<'a> {
         self.put(&text.row)?;
         (self.at, self.takes_s) = (Axes::from(&motion.position[0]), lift_s(0, p.settings.plunge_feed_mm_min));
         self.put(&text.down)?;
-        for k in 1..=last {
-            (self.at, self.takes_s) = (Axes::from(&motion.position[k]), motion.t_s[k] - motion.t_s[k - 1]);
+        // A motion from one place to the next has rows between them, which are no lines.
+        for place in 1..stretch.places.len() {
+            let [before, k] = [place - 1, place].map(|place| stretch.row_at(place));
+            (self.at, self.takes_s) = (Axes::from(&motion.position[k]), motion.t_s[k] - motion.t_s[before]);
             let lines = if self.channel.is_some() && self.is_still()? { &text.stand } else { &text.cut };
             self.put(lines)?;
         }

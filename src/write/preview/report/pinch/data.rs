@@ -129,8 +129,11 @@ fn turn(
         ])
     };
     let [one, two, both] = [0, 1, 2].map(|k| walls(&stretch.free_rad[k]));
+    // Nothing is held round the edges.
+    let held = input.rows.places_held();
     let greatest = |p: &Range<usize>, of: fn(&PairPlace) -> f64| {
-        p.clone().filter_map(|k| input.rows.places.get(k)).map(of).fold(f64::NAN, f64::max)
+        let own = p.clone().filter(|k| *k < held).filter_map(|k| input.rows.places.get(k));
+        own.map(of).fold(f64::NAN, f64::max)
     };
     json!({
         "row": stretch.row + 1,
@@ -231,7 +234,8 @@ fn quantities(input: &PinchReport, stands_over: &[usize]) -> Vec<Values> {
     let at = |f: &dyn Fn(&PinchKey, usize) -> Option<f64>| -> Vec<f64> {
         input.keys.iter().zip(stands_over).map(|(key, k)| f(key, *k).unwrap_or(f64::NAN)).collect()
     };
-    let place = |k: usize| input.rows.places.get(k);
+    let held = input.rows.places_held();
+    let place = |k: usize| input.rows.places.get(k).filter(|_| k < held);
     let width = |key: &PinchKey, k: usize| {
         let own = input.stretches.get(key.stretch)?;
         let [from, to] = own.free_rad[2].get(k.checked_sub(own.places.start)?)?;

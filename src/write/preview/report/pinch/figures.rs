@@ -97,6 +97,11 @@ pub(super) fn cards(input: &PinchReport) -> String {
     }
     let note = format!("{} of them with the table still; {} places of both tools", f("/still_rows"), f("/places"));
     card(&mut cards, "Rows", &f("/rows"), &note);
+    if value(input, "/edge_rows") > 0.0 {
+        let heights = [0, 1].map(|k| length(input, &format!("/edge_heights_mm/{k}"))).join(" – ");
+        let note = format!("of the rows, at heights {heights} mm: {} of the airfoil's area is between", f("/closed"));
+        card(&mut cards, "Round the edges", &f("/edge_rows"), &note);
+    }
     let lengths = format!("{} and {} mm", f("/length_mm/0"), f("/length_mm/1"));
     card(&mut cards, "Length of the rows", &lengths, "of tool 1 and tool 2");
     let shares = format!("{} and {}", f("/covered/0"), f("/covered/1"));
@@ -135,6 +140,11 @@ fn measured(input: &PinchReport) -> String {
         line("ridges of tool 1, mm", "ridges_mm/0", ridges),
         line("ridges of tool 2, mm", "ridges_mm/1", ridges),
         line("the higher of both, mm", "binding_ridges_mm", ridges),
+        if value(input, "/edge_rows") > 0.0 {
+            line("where rows round the edges meet the others, mm", "border_ridges_mm", ridges)
+        } else {
+            String::new()
+        },
         line("distance of the normal lines, mm", "line_distance_mm", three),
         line("what the normals lack of being opposite (β), °", "angle_deg", three),
     ]
