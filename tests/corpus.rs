@@ -567,6 +567,49 @@ fn corpus_table_of_one_profile() {
 
 /// Two tools hold blades between them: the table stands still, the binding side is as high as asked
 /// for, and it takes half the time of one tool.
+/// `pinch.json` of rows by two balls of a radius for a scallop, mm, with all checks passed.
+fn pinched(file: &str, [radius_mm, scallop_mm]: [f64; 2], edges: &str) -> serde_json::Value {
+    let dir = tempfile::tempdir().expect("a folder");
+    let machine = concat!(env!("CARGO_MANIFEST_DIR"), "/models/machines/pinch_9x.toml");
+    let keys = [
+        format!("machine.file={machine:?}"),
+        format!("tool.radius_mm={radius_mm}"),
+        format!("path.scallop_mm={scallop_mm}"),
+        format!("pinch.edges={edges:?}"),
+    ];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_bladewright"));
+    command.args(["--quiet", "pinch"]).arg(blades().join(file)).arg("-o").arg(dir.path());
+    keys.iter().for_each(|key| {
+        command.args(["--set", key]);
+    });
+    let out = command.output().expect("it runs");
+    assert!(out.status.success(), "{file}: {}", String::from_utf8_lossy(&out.stdout));
+    let text = std::fs::read(dir.path().join("pinch.json")).expect("figures");
+    serde_json::from_slice(&text).expect("JSON")
+}
+
+/// Rows round both edges join those of opposite places without a ridge over the scallop.
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_two_tools_go_round_edges() {
+    let coarser = if is_short() { 3.0 } else { 1.0 };
+    for (file, radius_mm, scallop_mm, least_share) in [
+        ("turbine_blade_firtree.igs", 6.0, 0.05, 0.9),
+        ("tblade3_case7288/case7288_rotor_hubwedge.step", 4.0, 0.05, 0.6),
+        ("turbodesigner_family/stage2_rotor.step", 1.0, 0.05, 0.6),
+    ] {
+        let scallop_mm = coarser * scallop_mm;
+        let f = pinched(file, [radius_mm, scallop_mm], "both");
+        let number = |at: &str| f.pointer(at).and_then(serde_json::Value::as_f64).expect("a number");
+        assert!(number("/edge_rows") >= 2.0 && number("/closed") >= least_share, "{file}: {}", f["closed"]);
+        let border = number("/measured/border_ridges_mm/3") / scallop_mm;
+        assert!(border > 0.0 && border <= 1.03, "{file}: {border}");
+        assert!(number("/measured/line_distance_mm/1") <= 0.05, "{file}");
+        let alone = number("/program/alone_s/0") + number("/program/alone_s/1");
+        assert!(number("/program/cutting_s") <= 0.56 * alone, "{file}");
+    }
+}
+
 #[test]
 #[ignore = "real blades, see the file's head"]
 fn corpus_two_tools_hold_blades() {
@@ -580,22 +623,7 @@ fn corpus_two_tools_hold_blades() {
         ("fan_sections/fan_DERIVED_loft.step", 1.0, 0.05, 0.45),
     ] {
         let scallop_mm = coarser * scallop_mm;
-        let dir = tempfile::tempdir().expect("a folder");
-        let machine = concat!(env!("CARGO_MANIFEST_DIR"), "/models/machines/pinch_9x.toml");
-        let keys = [
-            format!("machine.file={machine:?}"),
-            format!("tool.radius_mm={radius_mm}"),
-            format!("path.scallop_mm={scallop_mm}"),
-        ];
-        let mut command = Command::new(env!("CARGO_BIN_EXE_bladewright"));
-        command.args(["--quiet", "pinch"]).arg(blades().join(file)).arg("-o").arg(dir.path());
-        keys.iter().for_each(|key| {
-            command.args(["--set", key]);
-        });
-        let out = command.output().expect("it runs");
-        assert!(out.status.success(), "{file}: {}", String::from_utf8_lossy(&out.stdout));
-        let text = std::fs::read(dir.path().join("pinch.json")).expect("figures");
-        let f: serde_json::Value = serde_json::from_slice(&text).expect("JSON");
+        let f = pinched(file, [radius_mm, scallop_mm], "none");
         let number = |at: &str| f.pointer(at).and_then(serde_json::Value::as_f64).expect("a number");
         assert_eq!(f["still_rows"], f["rows"], "{file}");
         let share = number("/covered/0") + number("/covered/1");

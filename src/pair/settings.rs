@@ -23,8 +23,7 @@ section! {
         /// default: all of the airfoil.
         #[serde(skip_serializing_if = "Option::is_none")]
         heights_mm: [f64; 2] as Option<[f64; 2]> = None;
-        /// Rows round the edges: `none`, or `both`: tool 1 round one edge while tool 2 goes round the
-        /// other.
+        /// Rows round the edges: none, or of both tools, each round one edge.
         edges: PinchEdges = PinchEdges::None;
         /// What the normals at both contacts may lack of being opposite, degrees.
         ///

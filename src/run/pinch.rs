@@ -201,8 +201,8 @@ fn airfoil_mm2(setup: &Setup, [low, high]: [f64; 2]) -> f64 {
     own.map(|t| mesh.triangle_area_mm2(t) * between(t)).sum()
 }
 
-/// Area of the part between the contacts of neighbouring rows of opposite places, mm²: to each place of a row the
-/// triangle over its step with the nearest place of the next.
+/// Area of the part between the contacts of neighbouring rows of opposite places, mm²: to each
+/// place of a row the triangle over its step with the nearest place of the next.
 fn between_rows_mm2(rows: &PairedRows, tool: usize) -> f64 {
     let contacts =
         |row: usize| rows.places[rows.rows[row].clone()].iter().map(|p| p.contacts[tool].contact).collect::<Vec<_>>();

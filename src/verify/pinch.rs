@@ -1,9 +1,9 @@
 //! Rows of two tools that hold a blade between them, judged apart from their planner.
 //!
-//! Each tool by itself: the swept ball in the part, ridges from row to row, where rows round the
-//! edges meet the other tool's too, the rest of the tool to the part, over the straight moves of each stretch, while the table stands still. Both together:
-//! whether their normals face each other, by the part's own normals under both ball centres, and
-//! how far the tools are apart.
+//! Each tool by itself: the swept ball in the part, ridges from row to row and where rows round the
+//! edges meet the other tool's, the rest of the tool to the part, over the straight moves of each
+//! stretch, while the table stands still. Both together: whether their normals face each other, by
+//! the part's own normals under both ball centres, and how far the tools are apart.
 //!
 //! The least distance of two tools is taken piece by piece, ball and frusta. Each piece is convex:
 //! parry's search for the nearest points of two convex bodies gives a direction, and the pieces'

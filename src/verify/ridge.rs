@@ -140,12 +140,18 @@ impl Ridges<'_> {
         let middle = c1 + (next.centre - c1) * share;
         let e = (next.centre - c1) / d;
         let foot = part.closest(&middle, 2.0 * radius)?.point;
-        let weight = d * stretch_mm(sweep, row, every);
-        if d < apart_mm {
+        // Balls of two radii that touch at one place are as far apart as these differ.
+        let across_mm = if more == 0.0 { d } else { (d * d - (radius - beside.radius_mm).powi(2)).max(0.0).sqrt() };
+        let weight = across_mm * stretch_mm(sweep, row, every);
+        if across_mm < apart_mm {
             return Some((Height { height_mm: 0.0, point: foot, row, weight }, i));
         }
-        let g = (middle - foot) - e * (middle - foot).dot(&e);
-        let g = g.try_normalize(1e-9)?;
+        // Of two radii the way from ball to ball may lead up or down: up is from their contacts.
+        let up = match more == 0.0 {
+            true => middle - foot,
+            false => self.outwards(&c1)? + self.outwards(&next.centre)?,
+        };
+        let g = (up - e * up.dot(&e)).try_normalize(1e-9)?;
         let side = e.cross(&g);
         let circle = (radius * radius - (share * d).powi(2)).sqrt();
         if circle.is_nan() {
@@ -163,11 +169,19 @@ impl Ridges<'_> {
             (own, true) => own,
         };
         // By less than this it is the chords of the same two passes.
-        let sag = CUT * (radius - circle);
+        let sag = match more == 0.0 {
+            true => CUT * (radius - circle),
+            false => CUT * across_mm * across_mm / (4.0 * (radius + beside.radius_mm)),
+        };
         let left = entry.filter(|t| *t < height_mm - sag).unwrap_or(height_mm);
         // A ridge over a corner that no ball can reach is not one of the stepover's.
-        let up = lift(part, &under.point, &under.normal, radius, slack_mm);
-        (up == 0.0).then_some((Height { height_mm: left, point, row, weight }, i))
+        let lifted_mm = lift(part, &under.point, &under.normal, radius, slack_mm);
+        (lifted_mm == 0.0).then_some((Height { height_mm: left, point, row, weight }, i))
+    }
+
+    /// The unit direction from the part to the centre of a ball beside it.
+    fn outwards(&self, centre: &Point) -> Option<Vector> {
+        (centre - self.part.closest(centre, f64::INFINITY)?.point).try_normalize(1e-9)
     }
 }
 
@@ -182,8 +196,8 @@ fn midway(sweep: &Sweep, row: usize) -> Point {
     from + (to - from) * (row as f64 * GOLDEN).fract()
 }
 
-/// Half the way of the contacts from `every` moves before the row to as many after it, without those
-/// that only lead to another row, mm.
+/// Half the way of the contacts from `every` moves before the row to as many after it, without
+/// those that only lead to another row, mm.
 pub(super) fn stretch_mm(sweep: &Sweep, row: usize, every: usize) -> f64 {
     let (from, to) = (row.saturating_sub(every), (row + every).min(sweep.centres.len() - 1));
     0.5 * (from..to).filter(|i| sweep.counts(*i)).map(|i| sweep.contact_way_mm(i)).sum::<f64>()
@@ -211,7 +225,43 @@ fn signed(from_foot: &Vector, normal: &Vector, distance: f64) -> f64 {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::geometry::exact::tests::block;
+    use crate::geometry::part::Part;
+    use crate::observe::Silent;
     use crate::sample;
+
+    /// Passes of two balls over a plane, `a` apart: the ridge is where `x² / R` of both is the same.
+    #[test]
+    fn ridges_between_two_balls_are_those_of_the_closed_form() {
+        let part = Part::from_brep(block(Vector::new(60.0, 40.0, 5.0)), 0.05, &Silent).unwrap();
+        let on = Allowed::new(&part, 0.0);
+        let pass = |radius_mm: f64, y: f64| {
+            let centres: Vec<Point> =
+                (0..9).map(|k| Point::new(10.0 + 5.0 * f64::from(k), y, 5.0 + radius_mm)).collect();
+            let contacts = centres.iter().map(|c| c - Vector::z() * radius_mm).collect();
+            let turns = vec![0; centres.len()];
+            Sweep::of(centres, contacts, turns, radius_mm, None)
+        };
+        for (one, two) in [(4.0, 3.0), (3.0, 4.0), (4.0, 4.0), (2.0, 9.0)] {
+            for apart in [0.3, 0.9, 1.5] {
+                let (own, other) = (pass(one, 20.0), pass(two, 20.0 + apart));
+                let ridges = Ridges { part: &on, sweep: &own, every: 1, apart_mm: 0.05, slack_mm: 0.001 };
+                let (found, _) = ridges.beside(3, (&other, 0)).unwrap();
+                // Bisection of both arcs' heights.
+                let height = |r: f64, x: f64| r - (r * r - x * x).sqrt();
+                let (mut lo, mut hi) = (0.0, apart);
+                for _ in 0..60 {
+                    let x = 0.5 * (lo + hi);
+                    *(if height(one, x) < height(two, apart - x) { &mut lo } else { &mut hi }) = x;
+                }
+                let exact = height(one, lo);
+                assert!((found.height_mm - exact).abs() < 1e-9, "{one} {two} {apart}: {} {exact}", found.height_mm);
+            }
+            let (own, other) = (pass(one, 20.0), pass(two, 20.02));
+            let ridges = Ridges { part: &on, sweep: &own, every: 1, apart_mm: 0.05, slack_mm: 0.001 };
+            assert_eq!(ridges.beside(3, (&other, 0)).unwrap().0.height_mm, 0.0);
+        }
+    }
 
     #[test]
     fn what_another_move_takes_off_is_no_ridge() {

@@ -25,7 +25,7 @@ target/release/bladewright --quiet batch viewer/test/family.toml -o out/look/fam
 node viewer/test/family.mjs out/look/family
 rm -rf out/look/pinch
 target/release/bladewright --quiet pinch models/turbine_camber.step -o out/look/pinch --set tool.radius_mm=2 \
-    --set path.scallop_mm=0.1 --set 'pinch.heights_mm=[6, 34]' --set machine.file=models/machines/pinch_9x.toml >/dev/null
+    --set path.scallop_mm=0.1 --set 'pinch.heights_mm=[6, 34]' --set 'pinch.edges="both"' --set machine.file=models/machines/pinch_9x.toml >/dev/null
 node viewer/test/pinch.mjs out/look/pinch
 if [ -n "${PICTURES:-}" ]; then
     node viewer/test/pictures.mjs docs "${runs[@]}"
