@@ -230,7 +230,7 @@ mod tests {
     use crate::observe::Silent;
     use crate::sample;
 
-    /// Passes of two balls over a plane, `a` apart: the ridge is where `x² / R` of both is the same.
+    /// Passes of two balls over a plane, some way apart: the ridge is where both are as high.
     #[test]
     fn ridges_between_two_balls_are_those_of_the_closed_form() {
         let part = Part::from_brep(block(Vector::new(60.0, 40.0, 5.0)), 0.05, &Silent).unwrap();

@@ -2,9 +2,9 @@
 //!
 //! Rows of opposite places end where nothing is opposite. What is left of the airfoil at each
 //! height is two strips of its contour, each round an edge, from the outermost row of one side to
-//! that of the other. Tool 1 goes over the strip beyond the first row, from tool 1's side to tool 2's, and
-//! tool 2 over the strip beyond the last row, from its own side to tool 1's. Seen from the tip both
-//! go clockwise, and both normals turn by about as much: so the table turns for both.
+//! that of the other. Tool 1 goes over the strip beyond the first row, from its own side to tool
+//! 2's, and tool 2 over the strip beyond the last row, from its own side to tool 1's. Seen from the
+//! tip both go clockwise, and both normals turn by about as much: so the table turns for both.
 //!
 //! Where a row stands on its strip is a share `F` of the way over it, the same for both strips: the
 //! mean of the share of the stepovers and the share of the turning of the normal. Between two
@@ -402,7 +402,7 @@ impl Laid {
         self.greatest() <= MOST_OVER * scallop_mm && high as f64 <= (1.0 - LOW) * all.count() as f64
     }
 
-    /// Makes the stepovers those that were measured, the most of heights beside one another, evened.
+    /// Makes the stepovers those that were measured: the most of heights beside one another, even.
     /// Ridges grow as their square.
     fn correct(&self, strips: &mut [Together], aim_mm: f64) {
         let gaps = self.ridges_mm.len();
