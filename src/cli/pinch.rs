@@ -7,6 +7,7 @@ use super::progress::Terminal;
 use crate::artifact::report::Check;
 use crate::error::{ErrorKind, Result};
 use crate::observe::{Observer, Recorder};
+use crate::pair::PinchEdges;
 use crate::plan::pinch::{Pinch, PinchProgrammed};
 use crate::run::{Loaded, RunFolder, pinch as files};
 use serde_json::json;
@@ -43,6 +44,9 @@ fn study(args: &args::Pinch, observer: &dyn Observer) -> Result<u8> {
     folder.add("pinch.glb", files::scene(setup, &pinch, motion)?)?;
     folder.add("report.html", files::report(&loaded, &pinch, motion, &figures, &recorder.warnings())?)?;
     print(&pinch, &figures);
+    if figures.edge_rows == 0 && setup.pinch_settings().edges == PinchEdges::Both {
+        sayln!("  WARNING: no rows go round the edges: beside the rows of opposite places no strip is worth a row");
+    }
     let mut passed = pinch.checks.iter().all(|c| c.passed);
     if let Some(programmed) = &programmed {
         print_program(programmed, figures.program.as_ref());

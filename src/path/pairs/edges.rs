@@ -18,6 +18,7 @@ use std::ops::Range;
 use super::super::ring::{self, Ring, Tracing, wrap};
 use super::fill;
 use super::sheet::{RowCurves, Sheet, Standing};
+use super::{MOST_ROWS, no_pairs};
 use crate::error::{Result, Stage};
 use crate::geometry::Point;
 use crate::geometry::triangle::share_of_segment;
@@ -170,6 +171,10 @@ impl Strip {
             turn += share * wrap(b.azimuth(&ring.along) - a.azimuth(&ring.along)).abs();
             knots.push([high, steps, turn]);
         }
+        // Rows that run into one another leave no strip.
+        if knots.is_empty() {
+            knots.push([0.0; 3]);
+        }
         let end = knots.last().copied().unwrap_or_default();
         let knots = knots.iter().rev().map(|k| [end[0] - k[0], end[1] - k[1], end[2] - k[2]]).collect();
         Strip { from_mm, knots }
@@ -279,7 +284,7 @@ pub(super) struct EdgeRows {
 /// them on and are side by side; `None` where no strip is worth a row.
 ///
 /// # Errors
-/// Kind `Cancelled`.
+/// Kind `Infeasible` for more rows than can be meant; kind `Cancelled`.
 pub(super) fn rows(
     sheet: &Sheet,
     (rows, first): (&[Vec<Standing>], usize),
@@ -300,6 +305,12 @@ pub(super) fn rows(
         let most = strips.iter().map(Together::all).fold(0.0, f64::max);
         // Of one gap there is no row: the border's rows leave nothing.
         let gaps = (most - 1e-6).ceil().max(1.0) as usize + more;
+        if gaps > MOST_ROWS {
+            return Err(no_pairs(
+                format!("more than {MOST_ROWS} rows would be needed round the edges"),
+                "allow a larger scallop, or leave pinch.edges out",
+            ));
+        }
         let Some(laid) = Laid::of(sheet, contours, &strips, gaps) else { break };
         let is_low = laid.is_low(scallop_mm);
         if trial < CORRECTIONS {
@@ -410,7 +421,8 @@ impl Laid {
         let measured = |k: usize, n: usize| {
             let [one, two] = self.ridges_mm[n][k];
             let ridge_mm = if one.max(two).is_finite() { one.max(two) } else { aim_mm };
-            (ridge_mm / aim_mm).max(0.0).sqrt().clamp(counted[k] / MOST_CORRECTION, counted[k] * MOST_CORRECTION)
+            let steps = (ridge_mm / aim_mm).max(0.0).sqrt();
+            steps.max(counted[k] / MOST_CORRECTION).min(counted[k] * MOST_CORRECTION)
         };
         let own: Vec<Vec<f64>> = (0..strips.len()).map(|k| (0..gaps).map(|n| measured(k, n)).collect()).collect();
         let most = |k: usize, n: usize| {
