@@ -596,7 +596,7 @@ fn corpus_two_tools_go_round_edges() {
     for (file, radius_mm, scallop_mm, least_share) in [
         ("turbine_blade_firtree.igs", 6.0, 0.05, 0.9),
         ("tblade3_case7288/case7288_rotor_hubwedge.step", 4.0, 0.05, 0.6),
-        ("turbodesigner_family/stage2_rotor.step", 1.0, 0.05, 0.6),
+        ("rotor37/rotor37_DERIVED_loft_mm.step", 4.0, 0.05, 0.6),
     ] {
         let scallop_mm = coarser * scallop_mm;
         let f = pinched(file, [radius_mm, scallop_mm], "both");

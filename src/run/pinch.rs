@@ -1,6 +1,7 @@
 //! Files of rows for two tools: tables, figures, a plot, a 3-D scene, the report.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use super::{Loaded, look};
 use crate::artifact::paired::{PairPlace, PinchMotion};
@@ -8,6 +9,7 @@ use crate::artifact::region::Area;
 use crate::artifact::report::Check;
 use crate::artifact::{PairedRows, Stand};
 use crate::error::Result;
+use crate::geometry::Point;
 use crate::observe::Warning;
 use crate::plan::Setup;
 use crate::plan::pinch::{Pinch, PinchPosted, PinchProgrammed};
@@ -202,33 +204,58 @@ fn airfoil_mm2(setup: &Setup, [low, high]: [f64; 2]) -> f64 {
 }
 
 /// Area of the part between the contacts of neighbouring rows of opposite places, mm²: to each
-/// place of a row the triangle over its step with the nearest place of the next.
+/// place of a row the triangle over its step with the nearest place of the next one there.
 fn between_rows_mm2(rows: &PairedRows, tool: usize) -> f64 {
-    let contacts =
-        |row: usize| rows.places[rows.rows[row].clone()].iter().map(|p| p.contacts[tool].contact).collect::<Vec<_>>();
+    let held = &rows.rows[..rows.held_rows()];
+    let contacts = |row: &Range<usize>| -> Vec<Point> {
+        rows.places[row.clone()].iter().map(|p| p.contacts[tool].contact).collect()
+    };
+    let all: Vec<Vec<Point>> = held.iter().map(contacts).filter(|row| row.len() > 1).collect();
+    let heights = |row: &[Point]| [row[row.len() - 1].x, row[0].x];
     let mut sum = 0.0;
-    for row in 1..rows.held_rows() {
-        let (a, b) = (contacts(row - 1), contacts(row));
-        // Both run down: the strip between them, triangle by triangle, the lower end moved on.
-        let start = |from: &[crate::geometry::Point], x: f64| from.partition_point(|p| p.x > x).saturating_sub(1);
-        let top = a[0].x.min(b[0].x);
-        let bottom = a[a.len() - 1].x.max(b[b.len() - 1].x);
-        let (mut i, mut j) = (start(&a, top), start(&b, top));
-        while let (Some(p), Some(q)) = (a.get(i), b.get(j)) {
-            if p.x.min(q.x) < bottom {
+    for (n, row) in all.iter().enumerate() {
+        // A row may be in pieces: beside each of its heights lies the first one that is there too.
+        let mut open = vec![heights(row)];
+        for beside in &all[n + 1..] {
+            let [low, high] = heights(beside);
+            let mut left = Vec::new();
+            for [bottom, top] in open {
+                let shared = [bottom.max(low), top.min(high)];
+                if shared[0] >= shared[1] {
+                    left.push([bottom, top]);
+                    continue;
+                }
+                sum += strip_mm2([row, beside], shared);
+                left.extend([[bottom, shared[0]], [shared[1], top]].into_iter().filter(|[a, b]| a < b));
+            }
+            open = left;
+            if open.is_empty() {
                 break;
             }
-            let (next_a, next_b) = (a.get(i + 1), b.get(j + 1));
-            let first = match (next_a, next_b) {
-                (Some(x), Some(y)) => x.x >= y.x,
-                (Some(_), None) => true,
-                (None, Some(_)) => false,
-                (None, None) => break,
-            };
-            let Some(third) = (if first { next_a } else { next_b }) else { break };
-            sum += 0.5 * (q - p).cross(&(third - p)).norm();
-            if first { i += 1 } else { j += 1 }
         }
+    }
+    sum
+}
+
+/// Area between two rows that run down, between two heights, mm²: triangle by triangle, the lower
+/// end moved on.
+fn strip_mm2([a, b]: [&[Point]; 2], [bottom, top]: [f64; 2]) -> f64 {
+    let start = |from: &[Point]| from.partition_point(|p| p.x > top).saturating_sub(1);
+    let (mut i, mut j, mut sum) = (start(a), start(b), 0.0);
+    while let (Some(p), Some(q)) = (a.get(i), b.get(j)) {
+        if p.x.min(q.x) < bottom {
+            break;
+        }
+        let (next_a, next_b) = (a.get(i + 1), b.get(j + 1));
+        let first = match (next_a, next_b) {
+            (Some(x), Some(y)) => x.x >= y.x,
+            (Some(_), None) => true,
+            (None, Some(_)) => false,
+            (None, None) => break,
+        };
+        let Some(third) = (if first { next_a } else { next_b }) else { break };
+        sum += 0.5 * (q - p).cross(&(third - p)).norm();
+        if first { i += 1 } else { j += 1 }
     }
     sum
 }

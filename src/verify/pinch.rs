@@ -34,6 +34,9 @@ use crate::tool::{Segment, Tool};
 /// Ridges are measured on each side at about so many places.
 const RIDGES: usize = 6000;
 
+/// So many rows behind a row the one beside it is looked for.
+const PAST: u32 = 6;
+
 /// Two tools, and how they stand along rows.
 pub struct PinchWork<'a> {
     /// The part.
@@ -165,7 +168,12 @@ fn ridges(part: &Allowed, sweep: &Sweep, held: u32, scallop_mm: f64) -> Vec<Opti
     let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
     let of = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
     let rows: Vec<usize> = (0..sweep.centres.len()).step_by(every).collect();
-    let to_next = |row: usize| of.at(row, sweep.turns[row] + 1).filter(|_| sweep.turns[row] + 1 != held);
+    // A row may be in pieces, and end amid others: the next is the first that goes past.
+    let to_next = |row: usize| {
+        let own = sweep.turns[row];
+        let others = own + 1..=own + PAST;
+        others.filter(|other| (*other < held) == (own < held)).find_map(|other| of.at(row, other))
+    };
     parallel::map(rows, to_next)
 }
 

@@ -106,9 +106,9 @@ impl Contour {
     }
 }
 
-/// Rows of opposite places, side by side.
+/// Rows of opposite places, side by side, each in pieces.
 struct Rows<'a> {
-    rows: &'a [Vec<Standing>],
+    rows: &'a [Vec<Vec<Standing>>],
     /// The one from which the others were laid.
     first: usize,
 }
@@ -118,8 +118,9 @@ impl Rows<'_> {
     /// tool of a side does.
     fn at(&self, row: usize, (side, radius_mm): (usize, f64), x_mm: f64) -> Option<Point> {
         let centre = |s: &Standing| s.touches[side].contact + s.touches[side].normal * radius_mm;
-        let ends = self.rows[row].windows(2).map(|w| [centre(&w[0]), centre(&w[1])]);
-        let [a, b] = ends.into_iter().find(|[a, b]| (a.x - x_mm) * (b.x - x_mm) <= 0.0)?;
+        let moves = self.rows[row].iter().flat_map(|piece| piece.windows(2));
+        let mut ends = moves.map(|w| [centre(&w[0]), centre(&w[1])]);
+        let [a, b] = ends.find(|[a, b]| (a.x - x_mm) * (b.x - x_mm) <= 0.0)?;
         let share = if a.x == b.x { 0.0 } else { (x_mm - a.x) / (b.x - a.x) };
         Some(Point::new(x_mm, a.y + (b.y - a.y) * share, a.z + (b.z - a.z) * share))
     }
@@ -287,7 +288,7 @@ pub(super) struct EdgeRows {
 /// Kind `Infeasible` for more rows than can be meant; kind `Cancelled`.
 pub(super) fn rows(
     sheet: &Sheet,
-    (rows, first): (&[Vec<Standing>], usize),
+    (rows, first): (&[Vec<Vec<Standing>>], usize),
     heights_mm: &[f64],
     observer: &dyn Observer,
 ) -> Result<Option<EdgeRows>> {
@@ -332,10 +333,12 @@ pub(super) fn rows(
     }
     let Some(laid) = best else { return Ok(None) };
     let inner = laid.rows.get(1..laid.rows.len() - 1).unwrap_or_default();
+    // Beside a gap of these rows there is no row of opposite places: the longest piece is kept.
     let rows = parallel::try_map(inner, |row| {
         observer.check(Stage::Path)?;
-        Ok(fill::round_edges(sheet, row))
+        Ok(fill::round_edges(sheet, row).into_iter().max_by_key(Vec::len).unwrap_or_default())
     })?;
+    let rows = rows.into_iter().filter(|row| row.len() > 1).collect();
     let ends = [contours.last(), contours.first()].map(|c| c.map_or(f64::NAN, |c| c.rings[0].x_mm));
     Ok(Some(EdgeRows { rows, heights_mm: ends, greatest_mm: laid.greatest_mm }))
 }

@@ -18,7 +18,8 @@ const JUMP: f64 = 5.0;
 /// … if that goes so far, mm.
 const SHORTEST_MM: f64 = 1e-4;
 
-/// All rows with the places between their heights.
+/// All rows with the places between their heights, each in pieces of two places at least: a row is
+/// parted where places between two heights have no partner.
 ///
 /// # Errors
 /// Kind `Cancelled`.
@@ -26,7 +27,7 @@ pub(super) fn all(
     sheet: &Sheet,
     rows: &[Vec<Option<Standing>>],
     observer: &dyn Observer,
-) -> Result<Vec<Vec<Standing>>> {
+) -> Result<Vec<Vec<Vec<Standing>>>> {
     let one = |row: &Vec<Option<Standing>>| {
         observer.check(Stage::Path)?;
         let kept = longest(&row.iter().map(Option::is_some).collect::<Vec<_>>());
@@ -56,7 +57,7 @@ fn curve<'a>(sheet: &'a Sheet, touches: &'a [Touch], tool: usize) -> LevelCurve<
 }
 
 /// A row on the curve of tool 1 through its places, tool 2 opposite.
-fn filled(sheet: &Sheet, row: &[Standing]) -> Vec<Standing> {
+fn filled(sheet: &Sheet, row: &[Standing]) -> Vec<Vec<Standing>> {
     let touches: Vec<Touch> = row.iter().map(|s| s.touches[0]).collect();
     let curve = curve(sheet, &touches, 0);
     let at = |k: usize, share: f64, a: &Standing| curve.between(k, share).and_then(|t| sheet.beside(a, t).ok());
@@ -64,7 +65,7 @@ fn filled(sheet: &Sheet, row: &[Standing]) -> Vec<Standing> {
 }
 
 /// A row round both edges, each tool on a curve of its own.
-pub(super) fn round_edges(sheet: &Sheet, row: &[Option<Standing>]) -> Vec<Standing> {
+pub(super) fn round_edges(sheet: &Sheet, row: &[Option<Standing>]) -> Vec<Vec<Standing>> {
     let row: Vec<Standing> = row.iter().flatten().copied().collect();
     let touches = [0, 1].map(|j| row.iter().map(|s| s.touches[j]).collect::<Vec<Touch>>());
     let curves = [0, 1].map(|j| curve(sheet, &touches[j], j));
@@ -75,37 +76,33 @@ pub(super) fn round_edges(sheet: &Sheet, row: &[Option<Standing>]) -> Vec<Standi
     filled_by(sheet, &row, at)
 }
 
-fn filled_by(sheet: &Sheet, row: &[Standing], at: impl Fn(usize, f64, &Standing) -> Option<Standing>) -> Vec<Standing> {
+fn filled_by(
+    sheet: &Sheet,
+    row: &[Standing],
+    at: impl Fn(usize, f64, &Standing) -> Option<Standing>,
+) -> Vec<Vec<Standing>> {
     if row.len() < 2 {
-        return row.to_vec();
+        return Vec::new();
     }
     let usual = PathOptions::new(sheet.levels[0].radius_mm, sheet.options.settings.scallop_mm);
     let options = PathOptions { settings: sheet.options.settings.clone(), ..usual };
     let filling = Filling { sheet, at, options };
-    // Where a place between two heights has no partner the row is parted there, and its longest
-    // piece is kept.
-    let (mut best, mut out) = (Vec::new(), vec![row[0]]);
+    let (mut pieces, mut out) = (Vec::new(), vec![row[0]]);
     for (k, w) in row.windows(2).enumerate() {
-        let before = out.len();
+        // Where it fails, what was added up to there stays.
         if filling.between(k, [0.0, 1.0], [&w[0], &w[1]], 0, &mut out).is_none() {
-            out.truncate(before);
-            keep_longer(&mut best, std::mem::take(&mut out));
+            pieces.push(std::mem::take(&mut out));
         }
         out.push(w[1]);
     }
-    keep_longer(&mut best, out);
-    best
-}
-
-fn keep_longer(best: &mut Vec<Standing>, other: Vec<Standing>) {
-    if other.len() > best.len() {
-        *best = other;
-    }
+    pieces.push(out);
+    pieces.retain(|piece| piece.len() > 1);
+    pieces
 }
 
 impl<F: Fn(usize, f64, &Standing) -> Option<Standing>> Filling<'_, F> {
     /// Adds places strictly between two shares of the way from a height to the next; `None`: a
-    /// place between them has no partner.
+    /// place between them has no partner, and those before it are added.
     fn between(
         &self,
         k: usize,

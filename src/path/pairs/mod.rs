@@ -19,8 +19,8 @@
 //! places stay within the chord tolerance of both level sets at their middles.
 //!
 //! ## Limits
-//! Exact faces only: on a mesh the ball inside touches the facet beside its own first. A row is one
-//! stretch: where partners are missing amid a row, its longest stretch is kept.
+//! Exact faces only: on a mesh the ball inside touches the facet beside its own first. Where
+//! partners are missing amid a row it is parted, and its pieces are rows of their own.
 //!
 //! [`opposite`]: crate::geometry::opposite
 
@@ -103,7 +103,7 @@ pub fn plan(blade: &Blade, options: &PairOptions, observer: &dyn Observer) -> Re
         places.extend(row.iter().map(Standing::place));
         rows.push(from..places.len());
     };
-    filled.iter().filter(|row| row.len() > 1).for_each(&mut add);
+    filled.iter().flatten().for_each(&mut add);
     edges.iter().flat_map(|e| &e.rows).for_each(add);
     let greatest_mm = [one.greatest_mm, other.greatest_mm, edges.as_ref().map_or([0.0; 2], |e| e.greatest_mm)];
     let planned_scallop_mm = [0, 1].map(|j| greatest_mm.iter().map(|g| g[j]).fold(0.0, f64::max));
