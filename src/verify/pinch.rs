@@ -34,9 +34,6 @@ use crate::tool::{Segment, Tool};
 /// Ridges are measured on each side at about so many places.
 const RIDGES: usize = 6000;
 
-/// So many rows behind a row the one beside it is looked for.
-const PAST: u32 = 6;
-
 /// Two tools, and how they stand along rows.
 pub struct PinchWork<'a> {
     /// The part.
@@ -115,7 +112,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         };
         checks.push(name(cuts::check(work.blade, &part, &EndWay::of_ball(sweep), options)));
         checks.extend(cuts::check_obstacles(work.blade, work.obstacles, &EndWay::of_ball(sweep), options).map(name));
-        let side = ridges(&part, sweep, work.rows.held_rows() as u32, options.scallop_mm);
+        let side = ridges(&part, sweep, work, options.scallop_mm);
         let border = border_ridges(&part, &sweeps, tool, work, options.scallop_mm);
         let heights = sort(side.iter().copied().flatten().chain(border.iter().copied()).collect());
         borders.extend(border);
@@ -162,8 +159,9 @@ fn covered(work: &PinchWork) -> Check {
 }
 
 /// Ridges from each row to the next, at the same places for either tool; `None`: there is none.
-/// Behind the last row of opposite places, `held` of them, come those round the edges, elsewhere.
-fn ridges(part: &Allowed, sweep: &Sweep, held: u32, scallop_mm: f64) -> Vec<Option<Height>> {
+/// Behind the last row of opposite places come those round the edges, elsewhere.
+fn ridges(part: &Allowed, sweep: &Sweep, work: &PinchWork, scallop_mm: f64) -> Vec<Option<Height>> {
+    let [held, all] = [work.rows.held_rows(), work.rows.rows.len()].map(|n| n as u32);
     let every = sweep.centres.len().div_ceil(RIDGES);
     let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
     let of = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
@@ -171,8 +169,8 @@ fn ridges(part: &Allowed, sweep: &Sweep, held: u32, scallop_mm: f64) -> Vec<Opti
     // A row may be in pieces, and end amid others: the next is the first that goes past.
     let to_next = |row: usize| {
         let own = sweep.turns[row];
-        let others = own + 1..=own + PAST;
-        others.filter(|other| (*other < held) == (own < held)).find_map(|other| of.at(row, other))
+        let end = if own < held { held } else { all };
+        (own + 1..end).find_map(|other| of.at(row, other))
     };
     parallel::map(rows, to_next)
 }

@@ -104,6 +104,15 @@ impl Contour {
         let own_mm = [[clockwise, one[1] - other_mm[0]], [counter, other_mm[1] - two[1]]];
         Some(Contour { own_mm, rings, other_mm })
     }
+
+    /// Both strips between borders that are so far from the first row's places, mm.
+    fn strips(&self, sheet: &Sheet, [one, two]: [[f64; 2]; 2]) -> Together {
+        let ends = [[self.rings[0].length_mm - one[0], self.other_mm[0] + one[1]], [self.other_mm[1] - two[1], two[0]]];
+        let scallop_mm = AIM * sheet.options.settings.scallop_mm;
+        let strip =
+            |j: usize| Strip::of(&self.rings[j], ends[j], flat_stepover_mm(sheet.levels[j].radius_mm, scallop_mm));
+        Together::of(&[strip(0), strip(1)])
+    }
 }
 
 /// Rows of opposite places, side by side, each in pieces.
@@ -258,17 +267,6 @@ pub(super) fn smooth_under(values: &[f64], x_mm: &[f64], bend: f64) -> Vec<f64> 
     let under: Vec<f64> = (0..least.len()).map(under).collect();
     let over = |k: usize| near(k).map(|j| under[j] - off(j, k, bend)).fold(f64::NEG_INFINITY, f64::max);
     (0..under.len()).map(over).collect()
-}
-
-impl Contour {
-    /// Both strips between borders that are so far from the first row's places, mm.
-    fn strips(&self, sheet: &Sheet, [one, two]: [[f64; 2]; 2]) -> Together {
-        let ends = [[self.rings[0].length_mm - one[0], self.other_mm[0] + one[1]], [self.other_mm[1] - two[1], two[0]]];
-        let scallop_mm = AIM * sheet.options.settings.scallop_mm;
-        let strip =
-            |j: usize| Strip::of(&self.rings[j], ends[j], flat_stepover_mm(sheet.levels[j].radius_mm, scallop_mm));
-        Together::of(&[strip(0), strip(1)])
-    }
 }
 
 /// Rows round both edges.
