@@ -305,13 +305,17 @@ pub fn plan_among(
     plan_with(surroundings, None, tool, path, options, observer)
 }
 
+/// A finer index, made where it is asked for.
+pub type FinerIndex<'s, 'b> = &'s dyn Fn() -> Result<&'s Surroundings<'b>>;
+
 /// As [`plan_among`] for a ball, but where hardly anything is free ([`NARROW_RAD`]) a finer index
 /// of the same things ([`Surroundings::finer`]) decides: it lies less off the part.
 ///
 /// # Errors
 /// As [`plan`].
 pub fn plan_among_finer(
-    [surroundings, finer]: [&Surroundings; 2],
+    surroundings: &Surroundings,
+    finer: FinerIndex,
     tool: &Tool,
     path: &Toolpath,
     options: &ChannelOptions,
@@ -323,7 +327,7 @@ pub fn plan_among_finer(
 
 fn plan_with(
     surroundings: &Surroundings,
-    finer: Option<&Surroundings>,
+    finer: Option<FinerIndex>,
     tool: &Tool,
     path: &Toolpath,
     options: &ChannelOptions,
@@ -341,8 +345,9 @@ fn plan_with(
     } else {
         surroundings.layers(tool, &scene, (&samples, path), observer)?
     };
-    if let Some(finer) = finer {
-        widened(&mut layers, &scene, &finer.scene(tool, &for_search), &samples, observer)?;
+    let narrow = narrow(&layers);
+    if let (Some(finer), false) = (finer, narrow.is_empty()) {
+        widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&narrow, &samples), observer)?;
     }
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
@@ -382,6 +387,15 @@ fn plan_with(
     })
 }
 
+/// The channel of a part of its path: of the rows from one to another.
+pub fn part(channel: &Channel, [first, last]: [usize; 2]) -> Channel {
+    let mut rows = channel.rows.get(first..=last).unwrap_or_default().to_vec();
+    // Walls of fewer rows are nowhere nearer to one another.
+    let narrowest_row = walls::hulls(&mut rows, channel.sweep).unwrap_or(0);
+    let proven_at = channel.proven_at.iter().filter_map(|k| k.checked_sub(first).filter(|k| k + first < last));
+    Channel { narrowest_row, proven_at: proven_at.collect(), rows, ..channel.clone() }
+}
+
 /// The places at which the channel of a path is computed.
 fn samples_of(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Vec<Sample> {
     match tool.is_ball() {
@@ -398,16 +412,24 @@ fn layers(scene: &ObstacleScene, samples: &[Sample], observer: &dyn Observer) ->
     Ok(layers)
 }
 
+/// The widest interval that is free at a place, rad.
+fn widest_rad(layer: &[Free]) -> f64 {
+    layer.iter().map(|f| f.hi - f.lo).fold(0.0, f64::max)
+}
+
+/// The places where hardly anything is free.
+fn narrow(layers: &[Vec<Free>]) -> Vec<usize> {
+    (0..layers.len()).filter(|k| widest_rad(&layers[*k]) < NARROW_RAD).collect()
+}
+
 /// Takes the free intervals of a finer index where hardly anything is free.
 fn widened(
     layers: &mut [Vec<Free>],
     scene: &ObstacleScene,
     finer: &ObstacleScene,
-    samples: &[Sample],
+    (narrow, samples): (&[usize], &[Sample]),
     observer: &dyn Observer,
 ) -> Result<()> {
-    let widest = |layer: &[Free]| layer.iter().map(|f| f.hi - f.lo).fold(0.0, f64::max);
-    let narrow: Vec<usize> = (0..layers.len()).filter(|k| widest(&layers[*k]) < NARROW_RAD).collect();
     let few: Vec<Sample> = narrow.iter().filter_map(|k| samples.get(*k).copied()).collect();
     // What ends an interval is named by the piece of its triangle in the usual index.
     let named = |by: Witness| match by {
@@ -418,8 +440,8 @@ fn widened(
         }
         by => by,
     };
-    for (k, layer) in narrow.into_iter().zip(self::layers(finer, &few, observer)?) {
-        if let Some(own) = layers.get_mut(k).filter(|own| widest(&layer) > widest(own)) {
+    for (k, layer) in narrow.iter().zip(self::layers(finer, &few, observer)?) {
+        if let Some(own) = layers.get_mut(*k).filter(|own| widest_rad(&layer) > widest_rad(own)) {
             *own = layer.into_iter().map(|f| Free { lo_by: named(f.lo_by), hi_by: named(f.hi_by), ..f }).collect();
         }
     }

@@ -72,7 +72,7 @@ pub(super) struct Smooth {
 pub(super) fn fastest(
     curve: &AxisCurve,
     limits: &Limits,
-    feed: f64,
+    (feed, bounded): (f64, bool),
     cap: &Caps,
     observer: &dyn Observer,
 ) -> Option<Smooth> {
@@ -86,7 +86,7 @@ pub(super) fn fastest(
     let inner = cells.get(1..cells.len() - 1).filter(|c| !c.is_empty())?;
     let begin = start::profile(inner, ends, &scaled)?;
     let problem = Problem { inner, ends, limits: &scaled };
-    let found = search::fastest(&problem, &begin, observer)?;
+    let found = search::fastest(&problem, &begin, bounded, observer)?;
     let mut out = assemble(&grid, &cells, &found, units);
     slow_down(&mut out, inner, &scaled, units);
     out.t.iter().chain(&out.x).all(|v| v.is_finite()).then_some(out)

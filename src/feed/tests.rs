@@ -479,7 +479,7 @@ fn every_limit_is_kept_between_locations_of_a_curve() {
         });
         let speed = feed / 60.0;
         let caps: Vec<f64> = rates.iter().map(|r| (speed / r).powi(2)).collect();
-        let p = jerk::fastest(&curve, &limits, speed, &caps.into(), &Silent).unwrap();
+        let p = jerk::fastest(&curve, &limits, (speed, true), &caps.into(), &Silent).unwrap();
         assert!((0.0..0.06).contains(&p.gap), "{}", p.gap);
         let s = curve.abscissae();
         let mut reached = [0.0f64; 3];

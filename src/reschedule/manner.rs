@@ -17,25 +17,32 @@ pub(super) struct Manner {
 }
 
 impl Manner {
-    /// Of numbers as they stand in the program; `None` where there are none.
-    pub fn of<'a>(numbers: impl Iterator<Item = &'a str>) -> Option<Manner> {
-        let mut out: Option<Manner> = None;
-        for number in numbers {
-            let decimals = number.find(['.', ',']).map_or(0, |at| number.len() - at - 1);
-            let one = Manner { decimals, trims: false, plus: number.starts_with('+'), comma: number.contains(',') };
-            out = Some(out.map_or(one, |m| Manner {
-                decimals: m.decimals.max(decimals),
-                trims: m.trims || m.decimals != decimals,
-                plus: m.plus || one.plus,
-                comma: m.comma || one.comma,
-            }));
+    /// Of a number as it stands in the program.
+    pub fn of_number(number: &str) -> Manner {
+        let decimals = number.find(['.', ',']).map_or(0, |at| number.len() - at - 1);
+        Manner { decimals, trims: false, plus: number.starts_with('+'), comma: number.contains(',') }
+    }
+
+    /// Of these numbers and others.
+    pub fn and(&self, other: Manner) -> Manner {
+        Manner {
+            decimals: self.decimals.max(other.decimals),
+            trims: self.trims || other.trims || self.decimals != other.decimals,
+            plus: self.plus || other.plus,
+            comma: self.comma || other.comma,
         }
-        out
     }
 
     /// The value as it is rounded.
     pub fn rounded(&self, value: f64) -> f64 {
-        self.text(value).replace(',', ".").parse().unwrap_or(value)
+        self.said(value).1
+    }
+
+    /// The number as text, and the value that it says.
+    pub fn said(&self, value: f64) -> (String, f64) {
+        let text = self.text(value);
+        let said = if self.comma { text.replace(',', ".").parse() } else { text.parse() };
+        (text, said.unwrap_or(value))
     }
 
     /// The number as text.
@@ -90,13 +97,14 @@ mod tests {
 
     #[test]
     fn numbers_keep_the_manner_of_the_program() {
-        let text = |numbers: &[&str], value: f64| Manner::of(numbers.iter().copied()).unwrap().text(value);
+        let of = |numbers: &[&str]| numbers.iter().map(|n| Manner::of_number(n)).reduce(|a, b| a.and(b));
+        let text = |numbers: &[&str], value: f64| of(numbers).unwrap().text(value);
         assert_eq!(text(&["1.250", "3.500"], 1.5), "1.500");
         assert_eq!(text(&["1.25", "3.5"], 2.0), "2.0");
         assert_eq!(text(&["500"], 512.6), "513");
         assert_eq!(text(&["+1,250"], 0.5), "+0,500");
         assert_eq!(text(&["1.250"], -0.0001), "0.000");
-        assert_eq!(Manner::of(std::iter::empty()), None);
+        assert_eq!(text(&["1", "2.500", "3.500"], 1.5), "1.5");
     }
 
     #[test]

@@ -51,7 +51,7 @@ use crate::observe::{Observer, timed};
 use crate::read::program::{self, Bench, Block, Moved, Script};
 use crate::schedule::ScheduleSettings;
 use crate::verify::VerifyOptions;
-use crate::verify::audit::{self, Audit, AuditOptions};
+use crate::verify::audit::{self, Audit, AuditOptions, LineCheck};
 use planned::{Arounds, Planned};
 use rewrite::{Edits, Rewriter};
 use stretches::{Found, LineEnd};
@@ -104,6 +104,10 @@ impl<'a> Program<'a> {
         let script = program::read(text, bench.language)?;
         let moves = program::follow(&script.blocks, bench)?;
         Ok(Program { text, script, moves, bench: *bench })
+    }
+
+    fn audited(&self, blade: &Blade, options: &AuditOptions, observer: &dyn Observer) -> Result<Audit> {
+        audit::audit_read((self.text, &self.script, &self.moves), blade, &self.bench, options, observer)
     }
 
     fn blocks(&self) -> &[Block] {
@@ -201,7 +205,7 @@ pub fn reschedule(
     // Balls stay where they are, and so do the ridges between them.
     let audit = AuditOptions { stock_mm, clearance_closely: true, ..options.audit.clone() }
         .with(|s| s.surface_samples = s.surface_samples.min(RIDGES));
-    let before = timed(observer, Stage::Verify, || audit::audit(text, blade, bench, &audit, observer))?;
+    let before = timed(observer, Stage::Verify, || program.audited(blade, &audit, observer))?;
     let clearances = clearances(&options.channel, stock_mm.max(0.0), &before);
     let options = &RescheduleOptions { stock_mm: Some(stock_mm), ..options.clone() };
     let found = stretches::find(&places, stock_mm, radius_mm, options.contact_mm);
@@ -209,11 +213,20 @@ pub fn reschedule(
         return Err(nothing_touches(&places, radius_mm, options));
     }
     let around = Arounds::new(blade, radius_mm)?;
+    let is_room = |c: &&LineCheck| [CheckId::Clearance, CheckId::HolderClearance].contains(&c.check.id);
+    let tight_lines: Vec<usize> = before.checks.iter().filter(is_room).filter_map(|c| c.line).collect();
     let mut planned = Vec::with_capacity(found.len());
     for (k, stretch) in found.iter().enumerate() {
         observer.progress(Stage::Schedule, k, found.len());
         observer.check(Stage::Schedule)?;
-        let scene = planned::StretchScene { program: &program, blade, around: &around, options, observer };
+        let scene = planned::StretchScene {
+            program: &program,
+            blade,
+            around: &around,
+            tight_lines: &tight_lines,
+            options,
+            observer,
+        };
         planned.push(scene.plan(stretch, &clearances)?);
     }
     observer.progress(Stage::Schedule, found.len(), found.len());
@@ -227,7 +240,7 @@ pub fn reschedule(
         .map_err(|e| Error::usage(Stage::Post, format!("the new program is not read: {}", e.message)))?;
     let stays = Stays { old: &program, new: &new, numbers: &numbers, limit_mm: rounding_mm };
     let centre_off_mm = timed(observer, Stage::Path, || stays.checked(&found, &reports))?;
-    let after = timed(observer, Stage::Verify, || audit::audit(&new_text, blade, bench, &audit, observer))?;
+    let after = timed(observer, Stage::Verify, || new.audited(blade, &audit, observer))?;
     no_new_findings(&before, &after)?;
     let [lines_changed, lines_added] = edits.count();
     Ok(Rescheduled {

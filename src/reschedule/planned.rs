@@ -1,5 +1,7 @@
 //! A stretch scheduled anew: channel, schedule and time.
 
+use std::sync::OnceLock;
+
 use super::stretches::{FEWEST, Found, LineEnd};
 use super::{Keeping, Program, RescheduleOptions, sparse, time};
 use crate::artifact::schedule::ScheduleKind;
@@ -11,7 +13,7 @@ use crate::geometry::{Point, Vector};
 use crate::numerics::angle::{nearest_turn, within_half_turn};
 use crate::observe::{Observer, Silent, timed};
 use crate::parallel;
-use crate::plan::schedules::{self, CLOSELY, ENOUGH};
+use crate::plan::schedules::{self, ENOUGH};
 use crate::schedule::{self, ScheduleOptions};
 use crate::verify::{self, VerifyOptions};
 
@@ -21,6 +23,8 @@ const ALONG_RAD: f64 = 0.2;
 const SAME_RAD: f64 = 1e-7;
 /// [`ENOUGH`] of a long course, whose schedules and times are dear.
 const LONG_ENOUGH: f64 = 0.003;
+/// So many places on either side of a line are looked at first.
+const LOOK: usize = 50;
 /// How often walls are moved in for what happens between places.
 const MOST_PROOFS: usize = 4;
 
@@ -58,19 +62,27 @@ impl Planned {
 /// come too near to the part with it.
 type Fastest = std::result::Result<(Schedule, [AxisMotion; 2]), Vec<usize>>;
 
-/// What is in the tool's way, indexed once: coarsely, and by exact faces.
+/// What is in the tool's way, indexed once: coarsely, and by exact faces where that is asked for.
 pub(super) struct Arounds<'a> {
+    blade: &'a Blade,
+    radius_mm: f64,
     usual: Surroundings<'a>,
-    finer: Option<Surroundings<'a>>,
+    finer: OnceLock<Surroundings<'a>>,
 }
 
 impl<'a> Arounds<'a> {
     /// # Errors
     /// Those of [`Surroundings::new`].
     pub fn new(blade: &'a Blade, radius_mm: f64) -> Result<Self> {
-        let usual = Surroundings::new(blade, &[], radius_mm)?;
-        let finer = blade.part.brep.as_ref().map(|_| Surroundings::new(blade, &[], radius_mm)).transpose()?;
-        Ok(Arounds { usual, finer: finer.map(|f| f.finer(radius_mm)) })
+        Ok(Arounds { blade, radius_mm, usual: Surroundings::new(blade, &[], radius_mm)?, finer: OnceLock::new() })
+    }
+
+    fn finer(&self) -> Result<&Surroundings<'a>> {
+        if let Some(made) = self.finer.get() {
+            return Ok(made);
+        }
+        let made = Surroundings::new(self.blade, &[], self.radius_mm)?.finer(self.radius_mm);
+        Ok(self.finer.get_or_init(|| made))
     }
 }
 
@@ -79,6 +91,8 @@ pub(super) struct StretchScene<'a> {
     pub program: &'a Program<'a>,
     pub blade: &'a Blade,
     pub around: &'a Arounds<'a>,
+    /// Lines at which the program's own clearances are least.
+    pub tight_lines: &'a [usize],
     pub options: &'a RescheduleOptions,
     pub observer: &'a dyn Observer,
 }
@@ -106,6 +120,9 @@ impl StretchScene<'_> {
         let settings = &keeping.settings;
         let count = found.places.len();
         let whole = self.course(found, [0, count - 1]);
+        if sparse::is_long(&whole.path) {
+            timed(self.observer, Stage::Channel, || self.opens(found, settings))?;
+        }
         let channel = timed(self.observer, Stage::Channel, || self.channel(&whole.path, settings, &[]))?;
         let theta = on_branch(&whole.theta, &channel);
         let Some([from, to]) = within(&theta, &channel) else {
@@ -118,10 +135,10 @@ impl StretchScene<'_> {
         let [first, last] = if whole.backwards { [count - 1 - to, count - 1 - from] } else { [from, to] };
         let is_whole = from == 0 && to + 1 == count;
         let course = if is_whole { whole } else { self.course(found, [first, last]) };
+        let mut channel = if is_whole { channel } else { channel::part(&channel, [from, to]) };
         let anew = |prove_at: &[usize]| {
             timed(self.observer, Stage::Channel, || self.channel(&course.path, settings, prove_at))
         };
-        let mut channel = if is_whole { channel } else { anew(&[])? };
         let places = found.places.get(first..=last).unwrap_or_default();
         let mut prove_at = Vec::new();
         for _ in 0..MOST_PROOFS {
@@ -138,6 +155,24 @@ impl StretchScene<'_> {
             channel = anew(&prove_at)?;
         }
         Ok(Err("between its lines the tool would come too near to the part".into()))
+    }
+
+    /// Looks at the places first where the program comes nearest to the part: along a long course a
+    /// channel that closes there costs much.
+    ///
+    /// # Errors
+    /// That a place has no free angle.
+    fn opens(&self, found: &Found, settings: &ChannelSettings) -> Result<()> {
+        let last = found.places.len() - 1;
+        for line in self.tight_lines {
+            let Some(at) = found.places.iter().position(|p| self.program.line(p) == *line) else { continue };
+            let near = self.course(found, [at.saturating_sub(LOOK), (at + LOOK).min(last)]);
+            match self.channel(&near.path, settings, &[]) {
+                Err(e) if is_taken(&e) || e.kind != ErrorKind::Infeasible => return Err(e),
+                _ => {}
+            }
+        }
+        Ok(())
     }
 
     /// Places of a stretch, from one to another, as stages take them.
@@ -183,13 +218,17 @@ impl StretchScene<'_> {
         let usual = usual.with(|s| {
             (s.clearance_mm, s.holder_clearance_mm) = (s.clearance_mm + stock_mm, s.holder_clearance_mm + stock_mm);
         });
-        let Arounds { usual: coarse, finer: Some(finer) } = self.around else {
-            return channel::plan_among(&self.around.usual, tool, path, &usual, &Silent);
-        };
+        let coarse = &self.around.usual;
+        if self.blade.part.brep.is_none() {
+            return channel::plan_among(coarse, tool, path, &usual, &Silent);
+        }
         let exact = usual.clone().with(|s| s.exact_ends = true);
         let is_long = sparse::is_long(path);
         let (mut planned, then) = match is_long {
-            true => (channel::plan_among_finer([coarse, finer], tool, path, &usual, &Silent), &[&usual, &exact][..]),
+            true => {
+                let finer = || self.around.finer();
+                (channel::plan_among_finer(coarse, &finer, tool, path, &usual, &Silent), &[&usual, &exact][..])
+            }
             false => (channel::plan_among(coarse, tool, path, &usual, &Silent), &[&exact][..]),
         };
         let may_open = |e: &Error| e.kind == ErrorKind::Infeasible && !(is_long && is_taken(e));
@@ -198,7 +237,7 @@ impl StretchScene<'_> {
             if !planned.as_ref().is_err_and(may_open) {
                 break;
             }
-            planned = channel::plan_among(finer, tool, path, next, &Silent);
+            planned = channel::plan_among(self.around.finer()?, tool, path, next, &Silent);
         }
         planned
     }
@@ -236,14 +275,26 @@ impl StretchScene<'_> {
         let least_s: f64 = steps.zip(&asked).map(|(mm, speed)| mm / speed).sum();
         let enough = if sparse::is_long(path) { LONG_ENOUGH } else { ENOUGH };
         let is_enough = |s: &Schedule| moved(s, false).is_ok_and(|motion| motion.time_s <= (1.0 + enough) * least_s);
-        let schedules = || self.schedules(course, channel, ends, most_mm_min, &is_enough);
-        let made = timed(self.observer, Stage::Schedule, schedules)?;
         // Jerk is dear: the few that are fastest without it are looked at with it, where they keep
         // clear.
         let rough = |schedule: Schedule| Ok((moved(&schedule, false)?.time_s, schedule));
-        let mut made = timed(self.observer, Stage::Feed, || parallel::try_map(made, rough))?;
-        made.sort_by(|a, b| a.0.total_cmp(&b.0));
-        made.truncate(CLOSELY);
+        let schedules = || -> Result<Vec<(f64, Schedule)>> {
+            let made = self.schedules(course, channel, ends, most_mm_min, &is_enough)?;
+            if made.len() < 2 {
+                return Ok(made.into_iter().map(|schedule| (0.0, schedule)).collect());
+            }
+            let mut made = parallel::try_map(made, rough)?;
+            schedules::keep_fastest(&mut made, |(time_s, _)| *time_s);
+            Ok(made)
+        };
+        let before = || {
+            let (theta, cones) = places.iter().map(|p| (p.stand.theta, p.stand.cone)).unzip();
+            let way = time::TimedWay { theta, cones, speeds_mm_s: &own };
+            time::motion(&centres, &way, on_machine, self.options.chord_mm, true)
+        };
+        // Schedules of one course leave a thread free.
+        let (made, before) = timed(self.observer, Stage::Schedule, || parallel::both(schedules, before));
+        let made = made?;
         let shorts = timed(self.observer, Stage::Channel, || parallel::map(&made, |(_, schedule)| short(schedule)));
         if let Some(first) = shorts.first().filter(|s| !s.is_empty()) {
             return Ok(Err(first.clone()));
@@ -251,14 +302,8 @@ impl StretchScene<'_> {
         let made: Vec<(f64, Schedule)> =
             made.into_iter().zip(shorts).filter(|(_, short)| short.is_empty()).map(|(one, _)| one).collect();
         let closely = |(_, schedule): (f64, Schedule)| Ok((moved(&schedule, true)?, schedule));
-        let before = || {
-            let (theta, cones) = places.iter().map(|p| (p.stand.theta, p.stand.cone)).unzip();
-            let way = time::TimedWay { theta, cones, speeds_mm_s: &own };
-            time::motion(&centres, &way, on_machine, self.options.chord_mm, true)
-        };
-        let all = || parallel::try_map(made, closely);
-        let (before, made) = timed(self.observer, Stage::Feed, || parallel::both(before, all));
-        let best = made?.into_iter().min_by(|a, b| a.0.time_s.total_cmp(&b.0.time_s));
+        let made = timed(self.observer, Stage::Feed, || parallel::try_map(made, closely))?;
+        let best = made.into_iter().min_by(|a, b| a.0.time_s.total_cmp(&b.0.time_s));
         let Some((after, schedule)) = best else {
             let message = "no schedule of the kind begins and ends at the program's angles within the channel";
             return Err(Error::infeasible(Stage::Schedule, message, Infeasible::NoSchedules));

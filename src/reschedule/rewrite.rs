@@ -14,6 +14,7 @@ use super::{Program, RescheduleOptions};
 use crate::artifact::program::{Grammar, Programmed};
 use crate::artifact::{Axes, Stand};
 use crate::geometry::{Point, Vector};
+use crate::parallel;
 use crate::read::program::line::{self, Word};
 use crate::read::program::{Block, Destination, Feed, Moved, RotaryWay};
 
@@ -27,6 +28,8 @@ const AS_READ: f64 = 1e-6;
 const READ_MM: f64 = 1e-7;
 /// Columns of a line of APT: what comes behind them is not read by old systems.
 const COLUMNS: usize = 72;
+/// Lines that are looked at together.
+const TOGETHER: usize = 2048;
 /// Millimetres of an inch.
 const INCH_MM: f64 = 25.4;
 const POINT: [&str; 3] = ["X", "Y", "Z"];
@@ -114,8 +117,6 @@ pub(super) struct Rewriter<'a> {
 
 /// Words as they stand in the text now.
 struct Modal {
-    /// Positions of the axes before the line, in its columns, as they are rounded.
-    columns: Axes,
     texts: HashMap<String, String>,
     /// What stands before and behind the number of a word.
     around: HashMap<String, [String; 2]>,
@@ -124,10 +125,48 @@ struct Modal {
     says_feed: bool,
 }
 
-/// A place written: its words by name, and the columns that they come to.
+/// What the words of some lines have in common.
+#[derive(Default)]
+struct Words {
+    manners: HashMap<String, Manner>,
+    /// The least and the greatest of what was read of X, Y and Z over what they say.
+    units: Option<[f64; 2]>,
+}
+
+impl Words {
+    fn add(&mut self, block: &Block, lines: &[&str], grammar: Grammar, is_wanted: impl Fn(&str) -> bool) {
+        let Some((text, _)) = statement(lines, block.line, grammar) else { return };
+        let text = text.as_ref();
+        for word in line::words(text, grammar).unwrap_or_default().into_iter().filter(|w| is_wanted(&w.name)) {
+            if let (Some(value), Some(read)) = (word.value(text), read_of(block, &word.name))
+                && value.abs() > 1e-3
+                && POINT.contains(&word.name.as_str())
+            {
+                let unit = read / value;
+                let [least, most] = self.units.unwrap_or([unit; 2]);
+                self.units = Some([least.min(unit), most.max(unit)]);
+            }
+            let Some(manner) = text.get(word.number.clone()).map(Manner::of_number) else { continue };
+            self.manners.entry(word.name).and_modify(|m| *m = m.and(manner)).or_insert(manner);
+        }
+    }
+}
+
+/// A place written: its words by name, and the columns that they come to: positions of the axes, as
+/// they are rounded.
+#[derive(Clone)]
 struct Written {
     words: Vec<(String, String)>,
     columns: Axes,
+}
+
+/// A line as it stands, and the moves that take its place, with their feeds.
+struct NewLine<'a> {
+    text: Cow<'a, str>,
+    /// Lines before it that belong to it.
+    more: usize,
+    words: Vec<Word>,
+    moves: Vec<(Written, Feed)>,
 }
 
 impl<'a> Rewriter<'a> {
@@ -138,38 +177,27 @@ impl<'a> Rewriter<'a> {
         let grammar = program.bench.language.grammar;
         let mut runs = HashMap::new();
         program.blocks().iter().for_each(|b| *runs.entry(b.line).or_default() += 1);
-        let mut numbers: HashMap<String, Vec<String>> = HashMap::new();
-        let mut units = Vec::new();
-        for place in found.iter().flat_map(|f| f.places.iter().skip(1)) {
-            let Some(block) = program.blocks().get(place.block) else { continue };
-            let Some((text, _)) = statement(&lines, block.line, grammar) else { continue };
-            let text = text.as_ref();
-            for word in line::words(text, grammar).unwrap_or_default() {
-                if let (Some(value), Some(read)) = (word.value(text), read_of(block, &word.name))
-                    && value.abs() > 1e-3
-                    && POINT.contains(&word.name.as_str())
-                {
-                    units.push(read / value);
-                }
-                if let Some(number) = text.get(word.number.clone()) {
-                    numbers.entry(word.name).or_default().push(number.to_owned());
-                }
-            }
-        }
+        let places: Vec<&LineEnd> = found.iter().flat_map(|f| f.places.iter().skip(1)).collect();
+        let own = parallel::map(places.chunks(TOGETHER), |places| {
+            let mut out = Words::default();
+            let blocks = places.iter().filter_map(|place| program.blocks().get(place.block));
+            blocks.for_each(|block| out.add(block, &lines, grammar, |_| true));
+            out
+        });
         // A feed may be said once, before the stretches.
-        for block in program.blocks() {
-            let Some((text, _)) = statement(&lines, block.line, grammar) else { continue };
-            let words = line::words(&text, grammar).unwrap_or_default();
-            let feeds = words.iter().filter(|w| w.name == "F").filter_map(|w| text.get(w.number.clone()));
-            feeds.for_each(|number| numbers.entry("F".into()).or_default().push(number.to_owned()));
-        }
-        let is = |unit: f64| units.iter().all(|u| (u / unit - 1.0).abs() < 1e-3);
+        let feeds = parallel::map(program.blocks().chunks(TOGETHER), |blocks| {
+            let mut out = Words::default();
+            blocks.iter().for_each(|block| out.add(block, &lines, grammar, |name| name == "F"));
+            out
+        });
+        let is =
+            |unit: f64| own.iter().all(|o| o.units.is_none_or(|u| u.iter().all(|u| (u / unit - 1.0).abs() < 1e-3)));
         let unit_mm = [1.0, INCH_MM].into_iter().find(|unit| is(*unit));
         let unit_mm = unit_mm.ok_or("its lines are not in the coordinates that they are read in")?;
-        let manners = numbers
-            .into_iter()
-            .filter_map(|(name, all)| Some((name, Manner::of(all.iter().map(String::as_str))?)))
-            .collect();
+        let mut manners: HashMap<String, Manner> = HashMap::new();
+        for (name, manner) in own.into_iter().chain(feeds).flat_map(|o| o.manners) {
+            manners.entry(name).and_modify(|m| *m = m.and(manner)).or_insert(manner);
+        }
         let is_goto = |l: &&&str| l.trim_start().get(..4).is_some_and(|w| w.eq_ignore_ascii_case("GOTO"));
         let widest = lines.iter().filter(is_goto).map(|l| l.trim_end().len()).max().unwrap_or(0);
         let columns = if widest <= COLUMNS { COLUMNS } else { usize::MAX };
@@ -182,27 +210,62 @@ impl<'a> Rewriter<'a> {
     /// # Errors
     /// The reason, with the line.
     pub fn edits(&self, found: &Found, planned: &Planned) -> Result<Edits, String> {
-        let first = found.places.get(planned.first).ok_or("it has no lines")?;
-        let columns = self.moved(first)?.to;
-        let feed = self.block(first)?.feed;
-        let mut modal = Modal { columns, texts: HashMap::new(), around: HashMap::new(), feed, says_feed: true };
-        let mut edits = Edits::default();
         let count = planned.schedule.theta.len();
-        for k in planned.first + 1..planned.first + count {
-            let (Some(before), Some(place)) = (found.places.get(k - 1), found.places.get(k)) else { continue };
-            let block = self.block(place)?;
-            let edit = self.line(block, [before, place], (planned, k), &mut modal);
-            let edit = edit.map_err(|why| format!("line {}: {why}", block.line))?;
-            let line = self.lines.get(block.line - 1).copied().unwrap_or("");
-            edits.0.insert(block.line - 1, edit.ending_as(line));
+        let places = found.places.get(planned.first..planned.first + count).unwrap_or_default();
+        let [Some(first), Some(last)] = [places.first(), places.last()] else { return Err("it has no lines".into()) };
+        let at_line = |place: &LineEnd| {
+            let line = self.program.line(place);
+            move |why: String| format!("line {line}: {why}")
+        };
+        let begin = self.moved(first)?.to;
+        let stand = |k: usize, place: &LineEnd| self.stand(planned, planned.location(planned.first + k), place);
+        // Where the axes stand before each line decides which of several positions of the rotary
+        // axes is meant. Rounding does not.
+        let unsaid = self.unsaid(places);
+        let mut near = begin;
+        let mut rows: Vec<(usize, Axes)> = Vec::with_capacity(places.len());
+        for (k, place) in places.iter().enumerate().skip(1) {
+            rows.push((k, near));
+            let columns = self.moved(place).and_then(|m| self.columns(m.words, &stand(k, place), &near));
+            let mut next = columns.map_err(at_line(place))?;
+            unsaid.iter().for_each(|k| next[*k] = near[*k]);
+            near = next;
         }
-        let last = found.places.get(planned.first + count - 1).ok_or("it has no lines")?;
+        let ends = parallel::try_map(&rows, |(k, near)| {
+            let place = &places[*k];
+            self.written(self.block(place)?, self.moved(place)?, &stand(*k, place), near).map_err(at_line(place))
+        })?;
+        let lines = parallel::try_map(&rows, |(k, _)| {
+            let from = k.checked_sub(2).and_then(|before| ends.get(before)).map_or(begin, |e| e.columns);
+            let of_line = self.line([&places[k - 1], &places[*k]], (planned, planned.first + k), (from, &ends[k - 1]));
+            of_line.map_err(at_line(&places[*k]))
+        })?;
+        let feed = self.block(first)?.feed;
+        let mut modal = Modal { texts: HashMap::new(), around: HashMap::new(), feed, says_feed: true };
+        let mut edits = Edits::default();
+        for (line, w) in lines.into_iter().zip(places.windows(2)) {
+            let block = self.block(&w[1])?;
+            let own_text = self.lines.get(block.line - 1).copied().unwrap_or("");
+            let edit = self.edit(line, [self.block(&w[0])?, block], &mut modal).map_err(at_line(&w[1]))?;
+            edits.0.insert(block.line - 1, edit.ending_as(own_text));
+        }
+        let columns = ends.last().map_or(begin, |end| end.columns);
         let there = self.moved(last)?.to;
-        if modal.columns.iter().zip(there.iter()).any(|(a, b)| (a - b).abs() > 0.01) {
+        if columns.iter().zip(there.iter()).any(|(a, b)| (a - b).abs() > 0.01) {
             return Err("its axes would not come to where the program goes on".into());
         }
         self.restore_feed(last, &modal, &mut edits)?;
         Ok(edits)
+    }
+
+    /// Rotary axes that the lines of a stretch have no word for: they stay where they are.
+    fn unsaid(&self, places: &[LineEnd]) -> Vec<usize> {
+        let machine = self.program.bench.machine;
+        let has_words = |place: &LineEnd| self.block(place).is_ok_and(|b| matches!(b.place, Destination::Words { .. }));
+        if !places.iter().skip(1).all(has_words) {
+            return Vec::new();
+        }
+        machine.rotary().filter(|k| !self.manners.contains_key(machine.axes()[*k].letter.letter())).collect()
     }
 
     /// The statement that ends in a line, from 1, and how many lines before that belong to it.
@@ -245,49 +308,64 @@ impl<'a> Rewriter<'a> {
         self.program.moves.get(place.moved).ok_or_else(|| "a line has no move".into())
     }
 
-    /// One line, from the place before it.
+    /// One line, from the place before it, at which the axes stand in columns, to its end.
     fn line(
         &self,
-        block: &Block,
         [before, place]: [&LineEnd; 2],
         (planned, k): (&Planned, usize),
-        modal: &mut Modal,
-    ) -> Result<Edit, String> {
+        (begin, end): (Axes, &Written),
+    ) -> Result<NewLine<'a>, String> {
+        let block = self.block(place)?;
         let (text, more) = self.statement(block.line).ok_or("it is not there")?;
-        let text = text.as_ref();
         let grammar = self.program.bench.language.grammar;
-        let words = line::words(text, grammar).ok_or("it has a form that is not written anew")?;
-        self.fits(block, text, &words)?;
-        let says_feed = words.iter().any(|w| w.name == "F");
-        let was = self.block(before)?.feed;
-        if !says_feed && was != block.feed {
-            modal.feed = block.feed;
-        }
-        for word in &words {
-            let [from, to] = [word.whole.start..word.number.start, word.number.end..word.whole.end];
-            let around = [from, to].map(|r| text.get(r).unwrap_or("").to_owned());
-            modal.around.insert(word.name.clone(), around);
-        }
+        let words = line::words(&text, grammar).ok_or("it has a form that is not written anew")?;
+        self.fits(block, &text, &words)?;
         let own = self.moved(place)?;
-        let stands = self.stands([before, place], own, (planned, k), modal)?;
+        let stands = self.stands([before, place], own, (planned, k), &begin)?;
         let seconds = match self.options.feed_mm_min {
             Some(feed) => 60.0 * (place.stand.centre - before.stand.centre).norm() / feed,
             None => place.seconds.ok_or("it is a rapid")?,
         };
-        let share = seconds / stands.len() as f64;
-        let mut edit = Edit { more, ..Edit::default() };
-        for (n, stand) in stands.iter().enumerate() {
-            let written = self.written(block, own, stand, &modal.columns)?;
-            let share = share.max(self.least_s(own, seconds, (&modal.columns, &written.columns)));
-            let feed = self.feed(block, own, (&modal.columns, &written.columns), share);
-            if n + 1 < stands.len() {
+        let share = seconds / (stands.len() + 1) as f64;
+        let mut from = begin;
+        let mut moves = Vec::with_capacity(stands.len() + 1);
+        for stand in stands.iter().map(Some).chain([None]) {
+            let written = match stand {
+                Some(between) => self.written(block, own, between, &from)?,
+                None => end.clone(),
+            };
+            let share = share.max(self.least_s(own, seconds, (&from, &written.columns)));
+            let feed = self.feed(block, own, (&from, &written.columns), share);
+            from = written.columns;
+            moves.push((written, feed));
+        }
+        Ok(NewLine { text, more, words, moves })
+    }
+
+    /// What becomes of a line, after those before it.
+    fn edit(&self, line: NewLine, [before, block]: [&Block; 2], modal: &mut Modal) -> Result<Edit, String> {
+        let text = line.text.as_ref();
+        let says_feed = line.words.iter().any(|w| w.name == "F");
+        if !says_feed && before.feed != block.feed {
+            modal.feed = block.feed;
+        }
+        for word in &line.words {
+            let ways = [word.whole.start..word.number.start, word.number.end..word.whole.end];
+            let around = ways.map(|r| text.get(r).unwrap_or(""));
+            if modal.around.get(&word.name).is_none_or(|was| *was != around) {
+                modal.around.insert(word.name.clone(), around.map(str::to_owned));
+            }
+        }
+        let mut edit = Edit { more: line.more, ..Edit::default() };
+        let last = line.moves.len().saturating_sub(1);
+        for (n, (written, feed)) in line.moves.into_iter().enumerate() {
+            if n < last {
                 edit.before.extend(self.fresh(&written, feed, modal, n == 0)?);
             } else {
-                let (feed_line, new) = self.replaced(text, &words, &written, feed, modal)?;
+                let (feed_line, new) = self.replaced(text, &line.words, &written, feed, modal)?;
                 edit.before.extend(feed_line);
                 edit.text = (new != text).then(|| self.broken(new));
             }
-            modal.columns = written.columns;
             modal.texts.extend(written.words);
         }
         Ok(edit)
@@ -315,33 +393,34 @@ impl<'a> Rewriter<'a> {
         Ok(())
     }
 
-    /// Where the tool is to stand: at the end of the line, and between, as the schedule's motion
-    /// has it, as often as keeps the ball on its straight way.
+    /// Where the tool stands at a place, with the new angle.
+    fn stand(&self, planned: &Planned, row: usize, place: &LineEnd) -> Stand {
+        let theta = planned.schedule.theta.get(row).copied().unwrap_or(f64::NAN);
+        Stand { centre: place.stand.centre, cone: planned.course.path.cone(row), theta }
+    }
+
+    /// Where the tool is to stand between the ends of the line, as the schedule's motion has it, as
+    /// often as keeps the ball on its straight way.
     fn stands(
         &self,
         [before, place]: [&LineEnd; 2],
         own: &Moved,
         (planned, k): (&Planned, usize),
-        modal: &Modal,
+        begin: &Axes,
     ) -> Result<Vec<Stand>, String> {
         let Program { bench, .. } = self.program;
         let place_of = |k: usize| planned.location(k);
         let [a, b] = [place_of(k - 1), place_of(k)];
         let all = &planned.course.path.locations;
         let [Some(from), Some(to)] = [all.get(a), all.get(b)] else { return Err("it has no place".into()) };
-        let theta = |row: usize| planned.schedule.theta.get(row).copied().unwrap_or(f64::NAN);
-        let stand = |row: usize, there: &LineEnd| {
-            let (centre, cone) = (there.stand.centre, planned.course.path.cone(row));
-            Stand { centre, cone, theta: theta(row) }
-        };
-        let (start, end) = (stand(a, before), stand(b, place));
+        let (start, end) = (self.stand(planned, a, before), self.stand(planned, b, place));
         let at = |share: f64| {
             let straight = planned.schedule.between(&start, &end, share);
             let on_curve = planned.schedule.theta_on_curve([a, b], [from.s_mm, to.s_mm], share);
             Stand { theta: on_curve.unwrap_or(straight.theta), ..straight }
         };
-        let there = self.columns(own.words, &end, &modal.columns)?;
-        let new = Moved { from: modal.columns, to: there, bend: None, ..*own };
+        let there = self.columns(own.words, &end, begin)?;
+        let new = Moved { from: *begin, to: there, bend: None, ..*own };
         let off = |m: &Moved| {
             let centre = |f: f64| m.pose(f, bench.tool, bench.machine).centre;
             let (p, q) = (centre(0.0), centre(1.0));
@@ -353,7 +432,7 @@ impl<'a> Rewriter<'a> {
             return Err("the ball would leave its way".into());
         }
         let parts = parts.max(1.0) as usize;
-        Ok((1..=parts).map(|n| if n == parts { end } else { at(n as f64 / parts as f64) }).collect())
+        Ok((1..parts).map(|n| at(n as f64 / parts as f64)).collect())
     }
 
     /// Positions of the axes, or of the programmed point and the rotary axes, where a tool stands.
@@ -388,9 +467,9 @@ impl<'a> Rewriter<'a> {
                 let manners = names.map(|n| self.manners.get(n).copied());
                 let [Some(i), Some(j), Some(k)] = manners else { return Err("it has no vector".into()) };
                 let axis = line_from_words.rotation * stand.axis();
-                let values = [(i, axis.x), (j, axis.y), (k, axis.z)];
-                words.extend(names.iter().zip(values).map(|(n, (m, v))| ((*n).to_owned(), m.text(v))));
-                let said = Vector::from(values.map(|(m, v)| m.rounded(v)));
+                let values = [(i, axis.x), (j, axis.y), (k, axis.z)].map(|(m, v)| m.said(v));
+                let said = Vector::from(values.each_ref().map(|(_, v)| *v));
+                words.extend(names.iter().zip(values).map(|(n, (text, _))| ((*n).to_owned(), text)));
                 let axis = own.words_from_line.rotation * said;
                 machine.rotary_of_axis(&axis, near).ok_or("the machine does not reach it")?
             }
@@ -401,9 +480,9 @@ impl<'a> Rewriter<'a> {
         let mut said = [0.0; 3];
         for (i, name) in POINT.iter().enumerate() {
             let manner = self.manners.get(*name).copied().ok_or_else(|| format!("no line has a word {name}"))?;
-            let value = point[i] / self.unit_mm;
-            words.insert(i, ((*name).to_owned(), manner.text(value)));
-            said[i] = manner.rounded(value) * self.unit_mm;
+            let (text, value) = manner.said(point[i] / self.unit_mm);
+            words.insert(i, ((*name).to_owned(), text));
+            said[i] = value * self.unit_mm;
         }
         let place = own.words_from_line * Point::from(said);
         linear.into_iter().zip(place.iter()).for_each(|(k, v)| columns[k] = *v);
@@ -432,9 +511,10 @@ impl<'a> Rewriter<'a> {
             let deg = turned[k].to_degrees();
             let way = ["A", "B", "C"].iter().position(|l| *l == letter).and_then(|w| block.ways.get(w));
             let is_within_turn = way == Some(&RotaryWay::Shorter);
-            let shown = if is_within_turn { manner.rounded(deg).rem_euclid(360.0) } else { deg };
-            words.push((letter.to_owned(), manner.text(shown)));
-            rounded[k] = manner.rounded(deg).to_radians();
+            let (text, said) = manner.said(deg);
+            let text = if is_within_turn { manner.text(said.rem_euclid(360.0)) } else { text };
+            words.push((letter.to_owned(), text));
+            rounded[k] = said.to_radians();
         }
         Ok(rounded)
     }
@@ -504,7 +584,7 @@ impl<'a> Rewriter<'a> {
     }
 
     fn feed_manner(&self) -> Option<Manner> {
-        let of_line = || self.feed_line.as_ref().and_then(|(l, at)| Manner::of(l.get(at.clone()).into_iter()));
+        let of_line = || self.feed_line.as_ref().and_then(|(l, at)| l.get(at.clone()).map(Manner::of_number));
         self.manners.get("F").copied().or_else(of_line)
     }
 

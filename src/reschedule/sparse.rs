@@ -11,6 +11,10 @@ use crate::artifact::{Channel, Cones, Schedule, Toolpath};
 
 /// Courses of no more places are taken as they are.
 const MOST: usize = 30_000;
+/// At most so many places are from one that is kept to the next.
+const STRIDE: usize = 32;
+/// Walls are straight that are off a straight line by no more, rad.
+const STRAIGHT_RAD: f64 = 5e-4;
 /// So many places at either end are all kept: there θ is given.
 const AT_ENDS: usize = 8;
 /// Angles that differ by less are the same, rad: rounding of a cubic is no turning back.
@@ -23,11 +27,10 @@ pub(super) fn is_long(path: &Toolpath) -> bool {
 
 /// The course at some of its places; `None` where it has few, or where θ may turn back.
 pub(super) fn course(path: &Toolpath, channel: &Channel) -> Option<(Toolpath, Channel)> {
-    let n = path.locations.len();
-    if !is_long(path) || n != channel.rows.len() || !channel.sweep.is_round() {
+    if !is_long(path) || path.locations.len() != channel.rows.len() || !channel.sweep.is_round() {
         return None;
     }
-    let kept = kept(n);
+    let kept = kept(path, channel);
     let locations: Vec<_> = kept.iter().map(|k| path.locations[*k]).collect();
     let cones = match path.cones {
         Cones::Same(_) => path.cones.clone(),
@@ -70,33 +73,61 @@ pub(super) fn at_all(schedule: Schedule, path: &Toolpath, channel: &Channel) -> 
     keeps.then_some(Schedule { theta, ..schedule })
 }
 
-/// Indices of the places that are kept.
-fn kept(n: usize) -> Vec<usize> {
-    let every = n.div_ceil(MOST);
-    (0..n).filter(|k| k % every == 0 || *k < AT_ENDS || k + AT_ENDS >= n).collect()
+/// Indices of the places that are kept: those at both ends, and of the others as few as the walls
+/// between allow to be straight.
+fn kept(path: &Toolpath, channel: &Channel) -> Vec<usize> {
+    let n = channel.rows.len();
+    let last = n.saturating_sub(AT_ENDS);
+    let mut out: Vec<usize> = (0..AT_ENDS.min(n)).collect();
+    let mut from = AT_ENDS.saturating_sub(1);
+    while from < last {
+        let to = (from + STRIDE).min(last);
+        parted(path, channel, [from, to], &mut out);
+        from = to;
+    }
+    out.extend(from + 1..n);
+    out
+}
+
+/// Adds the last of some places, and those between that the walls ask for.
+fn parted(path: &Toolpath, channel: &Channel, [from, to]: [usize; 2], out: &mut Vec<usize>) {
+    let is_bent = off_straight(path, channel, [from, to]).iter().flatten().any(|off| *off > STRAIGHT_RAD);
+    if is_bent && to > from + 1 {
+        let middle = (from + to) / 2;
+        parted(path, channel, [from, middle], out);
+        parted(path, channel, [middle, to], out);
+    } else {
+        out.push(to);
+    }
+}
+
+/// How far both walls between two places stand out of the straight lines from one to the other,
+/// inwards, and how far they stay behind them, rad.
+fn off_straight(path: &Toolpath, channel: &Channel, [a, b]: [usize; 2]) -> [[f64; 2]; 2] {
+    let s = |k: usize| path.locations[k].s_mm;
+    let row = |k: usize| &channel.rows[k];
+    let mut out = [[0.0f64; 2]; 2];
+    for k in a + 1..b {
+        let share = (s(k) - s(a)) / (s(b) - s(a));
+        let line = |from: f64, to: f64| from + share * (to - from);
+        let low = row(k).hull_min - line(row(a).hull_min, row(b).hull_min);
+        let high = line(row(a).hull_max, row(b).hull_max) - row(k).hull_max;
+        for (off, by) in out.iter_mut().zip([low, high]) {
+            *off = [off[0].max(by), off[1].max(-by)];
+        }
+    }
+    out
 }
 
 /// The walls at the places that are kept.
 fn rows(path: &Toolpath, channel: &Channel, kept: &[usize]) -> Vec<ChannelRow> {
-    let s = |k: usize| path.locations[k].s_mm;
-    let row = |k: usize| &channel.rows[k];
-    let stands_out = |w: &[usize]| {
-        let (a, b) = (w[0], w[1]);
-        let mut out = [0.0f64; 2];
-        for k in a + 1..b {
-            let share = (s(k) - s(a)) / (s(b) - s(a));
-            let line = |from: f64, to: f64| from + share * (to - from);
-            out[0] = out[0].max(row(k).hull_min - line(row(a).hull_min, row(b).hull_min));
-            out[1] = out[1].max(line(row(a).hull_max, row(b).hull_max) - row(k).hull_max);
-        }
-        out
-    };
+    let stands_out = |w: &[usize]| off_straight(path, channel, [w[0], w[1]]).map(|[out, _]| out);
     let beside: Vec<[f64; 2]> = kept.windows(2).map(stands_out).collect();
     let of = |side: usize, i: usize| {
         let at = |i: Option<usize>| i.and_then(|i| beside.get(i)).map_or(0.0, |b| b[side]);
         at(i.checked_sub(1)).max(at(Some(i)))
     };
-    let mut rows: Vec<ChannelRow> = kept.iter().map(|k| row(*k).clone()).collect();
+    let mut rows: Vec<ChannelRow> = kept.iter().map(|k| channel.rows[*k].clone()).collect();
     // Walls never fall.
     let mut most = f64::NEG_INFINITY;
     for (i, row) in rows.iter_mut().enumerate() {
@@ -192,9 +223,19 @@ mod tests {
     }
 
     #[test]
-    fn places_are_kept_at_both_ends() {
-        let kept = kept(100_001);
-        assert!(kept.len() < MOST + 3 * AT_ENDS && kept.starts_with(&[0, 1, 2]) && kept.ends_with(&[99_999, 100_000]));
-        assert!(kept.windows(2).all(|w| w[0] < w[1]));
+    fn places_are_kept_at_both_ends_and_where_walls_bend() {
+        let path = sample::plan(70, 1000).toolpath;
+        let n = path.locations.len();
+        let mut straight = walls(n, 0.0);
+        straight.rows.iter_mut().for_each(|r| (r.hull_min, r.hull_max) = (0.0, 1.0));
+        let few = kept(&path, &straight);
+        assert!(few.starts_with(&[0, 1, 2, 3, 4, 5, 6, 7]));
+        assert!(few.ends_with(&[n - 4, n - 3, n - 2, n - 1]) && few.windows(2).all(|w| w[0] < w[1]));
+        assert!(few.windows(2).all(|w| w[1] - w[0] <= STRIDE) && few.len() < n / STRIDE + 3 * AT_ENDS);
+        // A wall with a tip is kept to the place.
+        let mut tip = straight;
+        tip.rows[30_000].hull_min += 0.1;
+        let near = kept(&path, &tip);
+        assert!(near.contains(&30_000) && near.len() > few.len() && near.len() < few.len() + 12);
     }
 }

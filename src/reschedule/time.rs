@@ -75,7 +75,7 @@ pub(super) fn motion(
     let kept = kept(&rows, way.speeds_mm_s);
     let speeds = speeds(&centres.s_mm, way.speeds_mm_s, &kept);
     let (path, schedule) = taken(&rows, &way.cones, &kept, (tool.radius_mm, chord_mm));
-    let options = FeedOptions { chord_mm, limit_jerk, ..FeedOptions::new(1.0, tool.length_mm()) };
+    let options = FeedOptions { chord_mm, limit_jerk, bounded: false, ..FeedOptions::new(1.0, tool.length_mm()) };
     feed::plan_at(&path, &schedule, &speeds, machine, &options, &Silent)
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
 use super::super::arcs::Witness;
 use super::super::{
-    ChannelOptions, Free, FreeInterval, NARROW_RAD, Surroundings, intervals, layers, samples_of, widened,
+    ChannelOptions, Free, FreeInterval, NARROW_RAD, Surroundings, intervals, layers, narrow, samples_of, widened,
 };
 use super::world::{blade, inside_by, tool};
 use crate::artifact::Cones;
@@ -210,7 +210,7 @@ fn a_finer_index_decides_where_hardly_anything_is_free() {
         let [coarse, fine] = [&usual, &finer].map(|around| around.scene(&t, &o));
         let [before, by_finer] = [&coarse, &fine].map(|scene| layers(scene, &samples, &Silent).unwrap());
         let mut after = before.clone();
-        widened(&mut after, &coarse, &fine, &samples, &Silent).unwrap();
+        widened(&mut after, &coarse, &fine, (&narrow(&before), &samples), &Silent).unwrap();
         for ((before, by_finer), after) in before.iter().zip(&by_finer).zip(&after) {
             if widest(before) >= NARROW_RAD || widest(by_finer) <= widest(before) {
                 stayed += 1;

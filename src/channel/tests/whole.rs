@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
 use super::super::forbidden::MOVE_TOLERANCES;
-use super::super::{ChannelOptions, Leans, plan};
+use super::super::{ChannelOptions, Leans, part, plan};
 use super::brute::cases;
 use super::world::{banana, ellipse, helix, least_margin, on_platform, tool};
 use crate::artifact::channel::Binding;
@@ -41,6 +41,28 @@ fn an_ellipse_gives_one_wide_channel_that_grows_by_a_turn() {
             assert!(m > -1e-9, "row {row}: {m}");
         }
     }
+}
+
+/// Walls stay, hulls are those of the rows that are left: what is before and behind asks nothing of
+/// them any more.
+#[test]
+fn a_part_of_a_channel_has_hulls_of_its_own() {
+    let outline = ellipse(20.0, 8.0);
+    let blade = on_platform(&outline, 100, 40.0);
+    let path = helix(&outline, 4.0, 60, 2, 12.0, 0.4);
+    let whole = plan(&blade, &tool(4.0, 4.0), &path, &ChannelOptions::default(), &Silent).unwrap();
+    let [first, last] = [17, whole.rows.len() - 25];
+    let own = part(&whole, [first, last]);
+    assert_eq!(own.rows.len(), last - first + 1);
+    let mut low = f64::NEG_INFINITY;
+    for (row, was) in own.rows.iter().zip(&whole.rows[first..]) {
+        assert_eq!((row.theta_min, row.theta_max), (was.theta_min, was.theta_max));
+        low = row.theta_min.max(low);
+        assert_eq!(row.hull_min, low);
+        assert!(row.hull_min <= was.hull_min && row.hull_max >= was.hull_max);
+    }
+    let width = |k: usize| own.rows[k].hull_max - own.rows[k].hull_min;
+    assert!((0..own.rows.len()).all(|k| width(k) >= width(own.narrowest_row)));
 }
 
 #[test]

@@ -56,7 +56,8 @@ const MANY: usize = 12;
 pub(super) struct Fastest {
     /// `(x, u, w)` at the start of every inner cell and at the end of the last.
     pub v: Vec<[f64; 3]>,
-    /// A time that no profile is shorter than, as a share of this one's.
+    /// A time that no profile is shorter than, as a share of this one's; 0 where it is not asked
+    /// for.
     pub least: f64,
 }
 
@@ -68,7 +69,12 @@ struct Multipliers {
 
 /// The fastest profile from a start within all limits. `None` where numbers are not finite, or when
 /// the user has asked to stop.
-pub(super) fn fastest(problem: &Problem, start: &[[f64; 3]], observer: &dyn Observer) -> Option<Fastest> {
+pub(super) fn fastest(
+    problem: &Problem,
+    start: &[[f64; 3]],
+    bounded: bool,
+    observer: &dyn Observer,
+) -> Option<Fastest> {
     let n = problem.inner.len();
     let length = length(problem);
     let mut v = start.get(..n)?.to_vec();
@@ -99,7 +105,7 @@ pub(super) fn fastest(problem: &Problem, start: &[[f64; 3]], observer: &dyn Obse
         multipliers.duals[r.clone()].copy_from_slice(&found.duals);
         multipliers.ties[r].copy_from_slice(&found.costates);
     }
-    let least = least(problem, &v, multipliers, &ranges, observer)?;
+    let least = if bounded { least(problem, &v, multipliers, &ranges, observer)? } else { 0.0 };
     let h = problem.inner[n - 1].h;
     let [x, u, w] = v[n - 1];
     v.push([x + h * (2.0 * u + h * w), u + h * w, 0.0]);

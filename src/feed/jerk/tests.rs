@@ -42,7 +42,7 @@ proptest! {
         let inner = &cells[1..cells.len() - 1];
         let problem = Problem { inner, ends, limits: &scaled };
         let start = start::profile(inner, ends, &scaled).unwrap();
-        let found = search::fastest(&problem, &start, &Silent).unwrap();
+        let found = search::fastest(&problem, &start, true, &Silent).unwrap();
         let (n, v) = (inner.len(), &found.v[..inner.len()]);
         let time = problem.time(0, v);
         prop_assert!(found.least <= 1.0 && found.least > 0.5, "{}", found.least);

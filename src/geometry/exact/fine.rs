@@ -25,6 +25,12 @@ const DEEPEST: u32 = 24;
 /// anyway.
 const NARROW: f64 = 0.1;
 
+/// Of every so many triangles of the tessellation one is looked at to find out how many there will
+/// be, where that makes a sample of at least so many; and so often at most.
+const SAMPLED: usize = 16;
+const FEWEST_SAMPLED: usize = 500;
+const ESTIMATES: usize = 8;
+
 /// Triangles that cover a part.
 #[derive(Clone, Debug, Default)]
 pub struct Fine {
@@ -74,7 +80,7 @@ impl Exact {
     /// Triangles within `limit_mm` of the faces, as far as `most` of them do; `mesh` is the faces'
     /// tessellation.
     pub fn fine(&self, brep: &Brep, mesh: &Mesh, limit_mm: f64, most: usize) -> Fine {
-        let mut limit_mm = limit_mm;
+        let mut limit_mm = self.coarse_enough(brep, mesh, limit_mm, most);
         loop {
             let fine = self.fine_within(brep, mesh, limit_mm);
             if fine.corners.len() <= most.max(2 * mesh.triangles.len()) || !(limit_mm < 1.0) {
@@ -84,21 +90,44 @@ impl Exact {
         }
     }
 
-    fn fine_within(&self, brep: &Brep, mesh: &Mesh, limit_mm: f64) -> Fine {
-        let of_triangle = |t: usize| {
-            let mut out = Vec::new();
-            let Some(uv) = mesh.corner_uv.get(t) else { return (out, f64::INFINITY) };
-            let face = self.loops.face(brep, mesh.face(t) as usize);
-            let pole = |x: [f64; 2]| {
-                let n = face.space.normal_form(x);
-                let d = face.surface.derivatives(n[0], n[1]);
-                super::is_pole(&d, face.space).then(|| free_direction(&d, face.space))
-            };
-            let off = strips(*uv, pole).into_iter().map(|uv| face.halved(uv, limit_mm, &mut out));
-            let off = off.fold(0.0, f64::max);
-            (out, off)
+    /// A distance, at least the given one, within which about so many triangles do: by a sample of
+    /// those of the tessellation, since making too many first costs more than all that are wanted.
+    fn coarse_enough(&self, brep: &Brep, mesh: &Mesh, limit_mm: f64, most: usize) -> f64 {
+        let sample: Vec<usize> = (0..mesh.triangles.len()).step_by(SAMPLED).collect();
+        if sample.len() < FEWEST_SAMPLED {
+            return limit_mm;
+        }
+        let mut limit_mm = limit_mm;
+        for _ in 0..ESTIMATES {
+            let counts = parallel::map(&sample, |t| self.covering(brep, mesh, *t, limit_mm).0.len());
+            let count = (counts.iter().sum::<usize>() * mesh.triangles.len()) as f64 / sample.len() as f64;
+            if count <= most as f64 || !(limit_mm < 1.0) {
+                break;
+            }
+            limit_mm *= (count / most as f64).max(1.02);
+        }
+        limit_mm
+    }
+
+    /// Triangles within `limit_mm` of what a triangle of the tessellation stands for; how far they
+    /// may be off.
+    fn covering(&self, brep: &Brep, mesh: &Mesh, t: usize, limit_mm: f64) -> (Vec<[Point; 3]>, f64) {
+        let mut out = Vec::new();
+        let Some(uv) = mesh.corner_uv.get(t) else { return (out, f64::INFINITY) };
+        let face = self.loops.face(brep, mesh.face(t) as usize);
+        let pole = |x: [f64; 2]| {
+            let n = face.space.normal_form(x);
+            let d = face.surface.derivatives(n[0], n[1]);
+            super::is_pole(&d, face.space).then(|| free_direction(&d, face.space))
         };
-        let all: Vec<(Vec<[Point; 3]>, f64)> = parallel::map(0..mesh.triangles.len(), of_triangle);
+        let off = strips(*uv, pole).into_iter().map(|uv| face.halved(uv, limit_mm, &mut out));
+        let off = off.fold(0.0, f64::max);
+        (out, off)
+    }
+
+    fn fine_within(&self, brep: &Brep, mesh: &Mesh, limit_mm: f64) -> Fine {
+        let all: Vec<(Vec<[Point; 3]>, f64)> =
+            parallel::map(0..mesh.triangles.len(), |t| self.covering(brep, mesh, t, limit_mm));
         let mut fine = Fine { deflection_mm: limit_mm * NARROW, ..Fine::default() };
         for (t, (corners, off)) in all.into_iter().enumerate() {
             fine.parents.extend(std::iter::repeat_n(t as u32, corners.len()));
@@ -195,5 +224,16 @@ mod tests {
         // Too many are not made.
         let few = part.fine(1e-6, 3000).unwrap();
         assert!(few.corners.len() <= 3000 && few.deflection_mm > 1e-6);
+    }
+
+    /// A sample of the tessellation says how fine the triangles can be: nearly as many are made as
+    /// may be.
+    #[test]
+    fn a_sample_tells_how_many_there_will_be() {
+        let part = Part::from_brep(can(5.0, 3.0), 1e-5, &Silent).unwrap();
+        assert!(part.mesh.triangles.len() > super::SAMPLED * super::FEWEST_SAMPLED);
+        let most = 3 * part.mesh.triangles.len();
+        let fine = part.fine(1e-9, most).unwrap();
+        assert!(fine.corners.len() <= most && fine.corners.len() > most / 3, "{} {most}", fine.corners.len());
     }
 }

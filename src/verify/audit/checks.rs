@@ -7,6 +7,7 @@ use super::{AuditScene, MovesSource};
 use crate::artifact::program::Programmed;
 use crate::artifact::{AxisCheck, CheckId};
 use crate::geometry::part::Part;
+use crate::parallel;
 use crate::tool::Segment;
 use crate::verify::clearance::{self, Nearest, Track};
 use crate::verify::gouge::Gouge;
@@ -222,11 +223,14 @@ pub(super) fn travel(scene: &AuditScene) -> Vec<LineCheck> {
 pub(super) fn velocity(scene: &AuditScene) -> Vec<LineCheck> {
     let (tool, machine) = (scene.bench.tool, scene.bench.machine);
     let axes = machine.axes();
-    let mut fastest = vec![Vec::new(); axes.len()];
-    for (leg, l) in scene.legs.legs.iter().enumerate().filter(|(_, l)| l.kind == LegKind::Cut) {
+    let cuts = scene.legs.legs.iter().enumerate().filter(|(_, l)| l.kind == LegKind::Cut);
+    let ways = parallel::map(cuts, |(leg, l)| {
         let m = &scene.moves[l.moved];
         let time = m.seconds.unwrap_or(0.0) * (l.share[1] - l.share[0]);
-        let [from, to] = l.share.map(|f| m.axes(f, tool, machine));
+        (leg, l.share.map(|f| m.axes(f, tool, machine)), time)
+    });
+    let mut fastest = vec![Vec::new(); axes.len()];
+    for (leg, [from, to], time) in ways {
         for (axis, list) in fastest.iter_mut().enumerate() {
             let way = (to[axis] - from[axis]).abs();
             let velocity = if way > ROUNDING { way / time } else { 0.0 };
@@ -292,13 +296,16 @@ fn reached(scene: &AuditScene) -> Reached {
             }
         }
     }
-    for leg in scene.legs.legs.iter().filter(|l| l.kind != LegKind::Gap) {
+    let legs = scene.legs.legs.iter().filter(|l| l.kind != LegKind::Gap);
+    let legs = parallel::filter_map(legs, |leg| {
         let m = &scene.moves[leg.moved];
         if m.words == Programmed::Machine && m.even() {
-            continue;
+            return None;
         }
         let [from, to] = leg.share;
-        let at = [from, 0.5 * (from + to), to].map(|f| m.axes(f, tool, machine));
+        Some((leg, [from, 0.5 * (from + to), to].map(|f| m.axes(f, tool, machine))))
+    });
+    for (leg, at) in legs {
         for (axis, list) in out.iter_mut().enumerate() {
             let [a, mid, b] = at.map(|q| q[axis]);
             let (least, most) = extent(a, mid, b);

@@ -6,6 +6,7 @@ use crate::artifact::Stand;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::Point;
 use crate::numerics::angle::within_half_turn;
+use crate::parallel;
 use crate::read::program::{Bench, Moved};
 
 /// How far the ball centre may be off a leg in feed moves, mm: well below what the checks resolve.
@@ -61,40 +62,54 @@ impl Legs {
     /// # Errors
     /// `Usage` where a move or the whole program would take more than [`MOST`] legs, with the line.
     pub fn new(moves: &[Moved], bench: &Bench) -> Result<Self> {
-        let mut out = Legs::default();
-        for (moved, m) in moves.iter().enumerate() {
-            if !m.known() {
-                out.unknown += 1;
-                continue;
-            }
-            let kind = if m.seconds.is_some() { LegKind::Cut } else { LegKind::Rapid };
-            let parts = parts(m, bench);
-            if parts > MOST[0] || out.stands.len() + parts > MOST[1] {
+        let counts = parallel::map(moves, |m| m.known().then(|| parts(m, bench)));
+        let mut all = 0;
+        for (m, count) in moves.iter().zip(&counts) {
+            let Some(parts) = *count else { continue };
+            all += parts + 1;
+            if parts > MOST[0] || all > MOST[1] {
                 let what = format!("line {} of the program turns too far to be followed: {parts} legs", m.line);
                 return Err(Error::usage(Stage::Verify, what));
             }
-            let apart = out.stands.last().map(|s| (s.centre - m.pose(0.0, bench.tool, bench.machine).centre).norm());
-            if apart.is_none_or(|d| d > GAP_MM) {
-                out.push(m, 0.0, Leg { kind: LegKind::Gap, moved, share: [0.0; 2] }, bench);
+        }
+        let shares = |parts: usize| (0..=parts).map(move |k| k as f64 / parts as f64);
+        // Where a move begins, and where its legs end.
+        let centres = parallel::map(moves.iter().zip(&counts), |(m, count)| -> Vec<Point> {
+            let centre = |f: f64| m.pose(f, bench.tool, bench.machine).centre;
+            count.map_or_else(Vec::new, |parts| shares(parts).map(centre).collect())
+        });
+        let mut out = Legs::default();
+        for (moved, ((m, count), centres)) in moves.iter().zip(counts).zip(centres).enumerate() {
+            let Some(parts) = count else {
+                out.unknown += 1;
+                continue;
+            };
+            let kind = if m.seconds.is_some() { LegKind::Cut } else { LegKind::Rapid };
+            let mut ends = shares(parts).zip(centres);
+            if let Some((_, begin)) = ends.next()
+                && out.stands.last().is_none_or(|s| (s.centre - begin).norm() > GAP_MM)
+            {
+                out.push((m, begin), Leg { kind: LegKind::Gap, moved, share: [0.0; 2] }, bench);
             }
             // A line that only says a feed or a function again moves nothing.
             if m.from != m.to || !m.even() {
-                let share = |k: usize| k as f64 / parts as f64;
-                (1..=parts).for_each(|k| {
-                    out.push(m, share(k), Leg { kind, moved, share: [share(k - 1), share(k)] }, bench);
-                });
+                let mut from = 0.0;
+                for (to, centre) in ends {
+                    out.push((m, centre), Leg { kind, moved, share: [from, to] }, bench);
+                    from = to;
+                }
             }
         }
         Ok(out)
     }
 
-    fn push(&mut self, m: &Moved, f: f64, leg: Leg, bench: &Bench) {
+    /// Adds where a leg of a move ends.
+    fn push(&mut self, (m, centre): (&Moved, Point), leg: Leg, bench: &Bench) {
         if !self.stands.is_empty() {
             self.legs.push(leg);
         }
-        let centre = m.pose(f, bench.tool, bench.machine).centre;
         let near = self.stands.last().map_or(0.0, |s| s.theta);
-        let [theta, lean] = bench.machine.theta_and_lean(&m.at(f), near);
+        let [theta, lean] = bench.machine.theta_and_lean(&m.at(leg.share[1]), near);
         self.stands.push(Stand::about_blade(centre, theta, lean));
     }
 

@@ -150,7 +150,22 @@ pub fn audit(
     can_judge(bench.tool, options)?;
     let script = program::read(text, bench.language)?;
     let moves = program::follow(&script.blocks, bench)?;
-    let source = MovesSource { text, script: &script, blocks: &script.blocks, moves: &moves, last: true };
+    audit_read((text, &script, &moves), blade, bench, options, observer)
+}
+
+/// As [`audit`], of a program that has been read already: its text, its script and its moves.
+///
+/// # Errors
+/// As [`audit`].
+pub fn audit_read(
+    (text, script, moves): (&str, &Script, &[program::Moved]),
+    blade: &Blade,
+    bench: &Bench,
+    options: &AuditOptions,
+    observer: &dyn Observer,
+) -> Result<Audit> {
+    can_judge(bench.tool, options)?;
+    let source = MovesSource { text, script, blocks: &script.blocks, moves, last: true };
     let (audit, cut) = audit_moves(&source, blade, bench, options, observer)?;
     Ok(Audit { map: map(blade, options, &[cut]), ..audit })
 }
