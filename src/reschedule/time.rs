@@ -25,8 +25,9 @@ const AROUND: usize = 12;
 const ROUNDS: usize = 14;
 /// Lines are joined to at least this time, s: what controls look at a motion in. And only so that
 /// the joined way is off by less than this share of what is evened, at speeds that differ by less
-/// than this.
+/// than this. Along more than [`MANY`] lines that time grows by the same factor, up to twice.
 const LEAST_S: f64 = 0.008;
+const MANY: usize = 100_000;
 const JOINED: f64 = 0.2;
 const SAME_SPEED: f64 = 0.02;
 
@@ -148,15 +149,16 @@ fn kept(rows: &Unrounded, speeds_mm_s: &[f64]) -> Vec<usize> {
 }
 
 /// The first place, the last, and of those between enough that the way from one to the next takes
-/// [`LEAST_S`] or is one line, at speeds that hardly differ.
+/// [`LEAST_S`] or more, or is one line, at speeds that hardly differ.
 fn by_time(s: &[f64], speeds_mm_s: &[f64]) -> Vec<usize> {
     let n = s.len();
+    let least_s = LEAST_S * (n as f64 / MANY as f64).clamp(1.0, 2.0);
     let mut out = vec![0];
     let (mut seconds, mut least, mut most) = (0.0, f64::INFINITY, 0.0f64);
     for (k, v) in speeds_mm_s.iter().enumerate().take(n.saturating_sub(1)) {
         let own = (s[k + 1] - s[k]) / v;
         let differs = most.max(*v) > (1.0 + SAME_SPEED) * least.min(*v);
-        if out.last() != Some(&k) && (seconds + own > LEAST_S || differs) {
+        if out.last() != Some(&k) && (seconds + own > least_s || differs) {
             out.push(k);
             (seconds, least, most) = (0.0, f64::INFINITY, 0.0);
         }
