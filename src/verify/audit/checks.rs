@@ -90,8 +90,8 @@ impl AuditScene<'_> {
     }
 
     /// Least distance of segments of the tool, what is known of the part taken off; and its check.
-    fn clearance(&self, limit: LineLimit, segments: &[Segment], wanted: &[bool]) -> LineCheck {
-        let closely = self.options.clearance_closely;
+    /// `closely`: see [`super::AuditOptions::clearance_closely`].
+    fn clearance(&self, limit: LineLimit, segments: &[Segment], wanted: &[bool], closely: bool) -> LineCheck {
         let to = if closely { clearance::CLOSELY } else { clearance::usual(self.options.clearance_resolution_mm) };
         let track = self.track(wanted);
         let measure = |on: &Part| {
@@ -146,7 +146,7 @@ pub(super) fn clearances(scene: &AuditScene) -> Vec<LineCheck> {
             unit: "mm",
             passed: false,
         };
-        (!segments.is_empty()).then(|| scene.clearance(limit, &segments, &wanted))
+        (!segments.is_empty()).then(|| scene.clearance(limit, &segments, &wanted, scene.options.clearance_closely))
     };
     groups.into_iter().filter_map(check).collect()
 }
@@ -164,7 +164,7 @@ pub(super) fn rapid(scene: &AuditScene) -> Option<LineCheck> {
         unit: "mm",
         passed: false,
     };
-    let upper = scene.clearance(limit(), &scene.bench.tool.segments(), &wanted);
+    let upper = scene.clearance(limit(), &scene.bench.tool.segments(), &wanted, false);
     let ball = scene.deepest(wanted.clone(), scene.options.clearance_resolution_mm, FAR_MM);
     let least = -ball.bound_mm.max(ball.found_mm);
     if upper.check.worst <= least || !least.is_finite() {

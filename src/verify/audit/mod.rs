@@ -85,8 +85,8 @@ pub struct AuditOptions {
     pub stock_mm: f64,
     /// What the checks of clearance may miss between two samples, mm: by default as in plans.
     pub clearance_resolution_mm: f64,
-    /// Clearances are measured to a thousandth and half a micrometre, on triangles that are nearer
-    /// to the exact faces: what two programs keep can be compared. Default false.
+    /// Clearances at a feed are measured to a thousandth and half a micrometre, on triangles that
+    /// are nearer to the exact faces: what two programs keep can be compared. Default false.
     pub clearance_closely: bool,
     /// Tolerance of the deviation map, mm; `None` (the default): no map.
     pub map_mm: Option<f64>,
