@@ -295,7 +295,7 @@ const SHARES: [f64; 5] = [1.0, 0.9, 0.75, 0.5, 0.0];
 /// The rounding of words brings the tool nearer by no more, as a rule, mm.
 const ROUNDED_MM: f64 = 0.004;
 /// Ridges are looked at in so many places.
-const RIDGES: u32 = 10_000;
+const RIDGES: u32 = 2_000;
 /// Radii that differ by less are one ball's, mm.
 const SAME_BALL_MM: f64 = 1e-3;
 /// Farther from the part than this the tool is clear, however far it was, mm.
