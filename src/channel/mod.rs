@@ -345,8 +345,10 @@ fn plan_with(
     } else {
         surroundings.layers(tool, &scene, (&samples, path), observer)?
     };
-    let narrow = narrow(&layers);
-    if let (Some(finer), false) = (finer, narrow.is_empty()) {
+    if let Some(finer) = finer
+        && let narrow = narrow(&layers)
+        && !narrow.is_empty()
+    {
         widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&narrow, &samples), observer)?;
     }
     let reporter =

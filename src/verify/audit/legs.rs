@@ -63,14 +63,20 @@ impl Legs {
     /// `Usage` where a move or the whole program would take more than [`MOST`] legs, with the line.
     pub fn new(moves: &[Moved], bench: &Bench) -> Result<Self> {
         let counts = parallel::map(moves, |m| m.known().then(|| parts(m, bench)));
-        let mut all = 0;
+        // A line that only says a feed or a function again moves nothing.
+        let goes = |m: &Moved| m.from != m.to || !m.even();
+        let check = |m: &Moved, parts: usize, before: usize| {
+            if parts <= MOST[0] && before + parts <= MOST[1] {
+                return Ok(());
+            }
+            let what = format!("line {} of the program turns too far to be followed: {parts} legs", m.line);
+            Err(Error::usage(Stage::Verify, what))
+        };
+        let mut before = 0;
         for (m, count) in moves.iter().zip(&counts) {
             let Some(parts) = *count else { continue };
-            all += parts + 1;
-            if parts > MOST[0] || all > MOST[1] {
-                let what = format!("line {} of the program turns too far to be followed: {parts} legs", m.line);
-                return Err(Error::usage(Stage::Verify, what));
-            }
+            check(m, parts, before)?;
+            before += if goes(m) { parts } else { 0 };
         }
         let shares = |parts: usize| (0..=parts).map(move |k| k as f64 / parts as f64);
         // Where a move begins, and where its legs end.
@@ -84,6 +90,8 @@ impl Legs {
                 out.unknown += 1;
                 continue;
             };
+            // Places behind gaps count, too.
+            check(m, parts, out.stands.len())?;
             let kind = if m.seconds.is_some() { LegKind::Cut } else { LegKind::Rapid };
             let mut ends = shares(parts).zip(centres);
             if let Some((_, begin)) = ends.next()
@@ -91,8 +99,7 @@ impl Legs {
             {
                 out.push((m, begin), Leg { kind: LegKind::Gap, moved, share: [0.0; 2] }, bench);
             }
-            // A line that only says a feed or a function again moves nothing.
-            if m.from != m.to || !m.even() {
+            if goes(m) {
                 let mut from = 0.0;
                 for (to, centre) in ends {
                     out.push((m, centre), Leg { kind, moved, share: [from, to] }, bench);
