@@ -146,13 +146,13 @@ pub fn fit(text: &str, benches: &[Bench], blade: &Blade, options: &FitOptions, o
         .ok_or_else(|| Error::usage(Stage::Verify, "no place of the program has a distance to the part"))?;
     let many = judge::many(&places);
     let contest = judge::contest(&search, &many, &ranked, options.runner_up_ratio);
-    let (lay, huber_mm) = (contest.lay, contest.huber_mm);
+    let lay = contest.best.lay;
     let touch = judge::touch(&search, &script, &benches, &lay, options.touching_mm)?;
     step(3);
     if !(touch.share >= options.touching_share) {
         return Err(refuse::no_frame(&search, &found, options, &touch));
     }
-    let determined = judge::determined(&search, &many, &lay, huber_mm, options.condition);
+    let determined = judge::determined(&search, &many, &contest.best, options.condition);
     refuse::loose(&determined, options)?;
     refuse::alike(&search, &many, &contest, options)?;
     step(4);

@@ -44,10 +44,10 @@ fn fits_scaled(search: &Search, scale: f64, options: &FitOptions) -> bool {
     let Ok(found) = scaled.run() else { return false };
     let many = many(&places);
     found.first().is_some_and(|best| {
-        let (lay, huber_mm) = polished(&scaled, &many, &best.lay);
+        let polished = polished(&scaled, &many, &best.lay);
         // What is small enough fits anywhere: the place must be determined, too.
-        let determined = determined(&scaled, &many, &lay, huber_mm, options.condition);
-        fits(&scaled, &many, &lay, options) && loose(&determined, options).is_ok()
+        let determined = determined(&scaled, &many, &polished, options.condition);
+        fits(&scaled, &many, &polished.lay, options) && loose(&determined, options).is_ok()
     })
 }
 
@@ -60,7 +60,7 @@ fn other_radius(search: &Search, found: &[Candidate], options: &FitOptions) -> O
     let (some, many, exact) = (search.places.sampled(400), many(search.places), Exact(search.part));
     let task = grown.task(&exact, &some, 0.05, true);
     let best = found.iter().map(|c| task.descend(&c.lay, 25)).min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let (lay, _) = polished(&grown, &many, &best.0);
+    let lay = polished(&grown, &many, &best.0).lay;
     let radius_mm = search.places.all.first()?.radius_mm + lay.grown_mm;
     (radius_mm > 0.0 && fits(&grown, &many, &lay, options)).then_some(radius_mm)
 }
@@ -101,7 +101,7 @@ pub(super) fn loose(determined: &Determined, options: &FitOptions) -> Result<()>
 /// `Infeasible`: another motion fits nearly as well.
 pub(super) fn alike(search: &Search, places: &[FeedEnd], contest: &Contest, options: &FitOptions) -> Result<()> {
     let Some((next, ratio)) = contest.next.filter(|n| !(n.1 > options.runner_up_ratio)) else { return Ok(()) };
-    let (lay, exact) = (&contest.lay, Exact(search.part));
+    let (lay, exact) = (&contest.best.lay, Exact(search.part));
     let middle = Point::from(search.task(&exact, places, 1.0, false).pivot(lay));
     let between = next.frame * lay.frame.inverse();
     let (turned_deg, moved_mm) = (between.rotation.angle().to_degrees(), (between * middle - middle).norm());
