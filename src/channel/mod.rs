@@ -308,8 +308,9 @@ pub fn plan_among(
 /// A finer index, made where it is asked for.
 pub type FinerIndex<'s, 'b> = &'s dyn Fn() -> Result<&'s Surroundings<'b>>;
 
-/// As [`plan_among`] for a ball, but where hardly anything is free ([`NARROW_RAD`]) a finer index
-/// of the same things ([`Surroundings::finer`]) decides: it lies less off the part.
+/// As [`plan_among`] for a ball, but a finer index of the same things ([`Surroundings::finer`])
+/// decides where hardly anything is free ([`NARROW_RAD`]) and where walls cross: it lies less off
+/// the part.
 ///
 /// # Errors
 /// As [`plan`].
@@ -345,38 +346,54 @@ fn plan_with(
     } else {
         surroundings.layers(tool, &scene, (&samples, path), observer)?
     };
+    let mut by_finer = vec![false; samples.len()];
     if let Some(finer) = finer
         && let narrow = narrow(&layers)
         && !narrow.is_empty()
     {
         widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&narrow, &samples), observer)?;
+        narrow.iter().for_each(|k| by_finer[*k] = true);
     }
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
-    let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians())
-        .map_err(|c| surroundings.closed(tool, options, (&reporter, &layers), c.at))?;
-    let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
-    let mut lifts = Vec::new();
-    if options.settings.prove_moves || !options.prove_at.is_empty() {
-        let wanted =
-            |i: usize| options.settings.prove_moves || options.prove_at.binary_search(&samples[i - 1].row).is_ok();
-        let found = moves::lifts(&scene, &samples, &chosen, wanted, observer)?;
-        lifts = found.map_err(|i| reporter.closed_between(chosen[i], chosen[i + 1], i))?;
-    }
-    let mut rows = walls::rows(&samples, &moves::moved_in(&chosen, &lifts), &scene);
-    if let Some(row) = rows.iter().position(|r| r.theta_min > r.theta_max) {
-        let i = samples.iter().position(|s| s.row == row).unwrap_or(0).min(chosen.len().saturating_sub(2));
-        return Err(reporter.closed_between(chosen[i], chosen[i + 1], i));
-    }
+    let (mut rows, narrowest_row, count) = loop {
+        let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians())
+            .map_err(|c| surroundings.closed(tool, options, (&reporter, &layers), c.at))?;
+        let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
+        let mut lifts = Vec::new();
+        if options.settings.prove_moves || !options.prove_at.is_empty() {
+            let wanted =
+                |i: usize| options.settings.prove_moves || options.prove_at.binary_search(&samples[i - 1].row).is_ok();
+            let found = moves::lifts(&scene, &samples, &chosen, wanted, observer)?;
+            lifts = found.map_err(|i| reporter.closed_between(chosen[i], chosen[i + 1], i))?;
+        }
+        let mut rows = walls::rows(&samples, &moves::moved_in(&chosen, &lifts), &scene);
+        if let Some(row) = rows.iter().position(|r| r.theta_min > r.theta_max) {
+            let i = samples.iter().position(|s| s.row == row).unwrap_or(0).min(chosen.len().saturating_sub(2));
+            return Err(reporter.closed_between(chosen[i], chosen[i + 1], i));
+        }
+        match walls::hulls(&mut rows, options.sweep) {
+            Ok(narrowest_row) => break (rows, narrowest_row, chain.count),
+            Err(crossing) => {
+                // Walls that cross by the usual index may not by the finer one.
+                let crossing_rows = walls::crossing_rows(&rows);
+                let crosses = |k: &usize| crossing_rows.binary_search(&samples[*k].row).is_ok();
+                let more: Vec<usize> = (0..samples.len()).filter(|k| !by_finer[*k] && crosses(k)).collect();
+                let Some(finer) = finer.filter(|_| !more.is_empty()) else {
+                    return Err(reporter.crossing(&rows, crossing));
+                };
+                widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&more, &samples), observer)?;
+                more.iter().for_each(|k| by_finer[*k] = true);
+            }
+        }
+    };
     let azimuths = samples::azimuths(path, options.sweep);
     for (row, (least, greatest)) in rows.iter_mut().zip(tangent::limits(path, tool.taper_deg.to_radians(), &azimuths)) {
         (row.tangent_min, row.tangent_max) = (least, greatest);
     }
-    let narrowest_row =
-        walls::hulls(&mut rows, options.sweep).map_err(|crossing| reporter.crossing(&rows, crossing))?;
     warn_if_narrow(&rows, narrowest_row, path, observer);
-    if chain.count > 1 {
-        let doubt = Doubt::SeveralChannels { count: chain.count };
+    if count > 1 {
+        let doubt = Doubt::SeveralChannels { count };
         observer.warn(Warning { stage: Stage::Channel, doubt });
     }
     Ok(Channel {
@@ -384,7 +401,7 @@ fn plan_with(
         sweep: options.sweep,
         rows,
         narrowest_row,
-        chains: chain.count,
+        chains: count,
         proven_at: options.prove_at.clone(),
     })
 }

@@ -82,6 +82,25 @@ fn row_of(f: &Free, scene: &ObstacleScene) -> ChannelRow {
     }
 }
 
+/// Rows whose lower wall is above an upper wall farther on, or whose upper one is below a lower one
+/// before, in ascending order: no θ that never falls keeps to both.
+pub(super) fn crossing_rows(rows: &[ChannelRow]) -> Vec<usize> {
+    let mut low = f64::NEG_INFINITY;
+    let mut crossing: Vec<bool> = rows
+        .iter()
+        .map(|row| {
+            low = low.max(row.theta_min);
+            row.theta_max < low
+        })
+        .collect();
+    let mut high = f64::INFINITY;
+    for (row, crosses) in rows.iter().zip(&mut crossing).rev() {
+        high = high.min(row.theta_max);
+        *crosses |= row.theta_min > high;
+    }
+    (0..rows.len()).filter(|k| crossing[*k]).collect()
+}
+
 /// Fills in the hulls: the walls themselves where θ swings. Returns the row where they are nearest
 /// to one another.
 ///
@@ -113,4 +132,32 @@ pub(super) fn hulls(rows: &mut [ChannelRow], sweep: Sweep) -> Result<usize, Cros
     let high_row =
         (narrowest..rows.len()).find(|&i| rows[i].theta_max <= rows[narrowest].hull_max).unwrap_or(narrowest);
     Err(Crossing { low_row, high_row })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_whose_walls_cross_are_found() {
+        let row = |[theta_min, theta_max]: [f64; 2]| ChannelRow {
+            theta_min,
+            theta_max,
+            hull_min: theta_min,
+            hull_max: theta_max,
+            tangent_min: theta_min,
+            tangent_max: theta_max,
+            binds_min: Binding::Free,
+            binds_max: Binding::Free,
+        };
+        let crossing = |walls: &[[f64; 2]]| crossing_rows(&walls.iter().map(|w| row(*w)).collect::<Vec<_>>());
+        assert!(crossing(&[[0.0, 1.0], [0.5, 1.5], [1.0, 2.0]]).is_empty());
+        // The upper wall of the last row is under the lower ones of the second and the third.
+        assert_eq!(crossing(&[[0.0, 1.0], [0.5, 1.5], [0.7, 2.0], [0.1, 0.4]]), [1, 2, 3]);
+        // Every row that takes part is found, whether hulls cross there or not.
+        let walls = [[0.0, 9.0], [5.0, 9.0], [0.0, 9.0], [0.0, 4.0], [0.0, 9.0]];
+        assert_eq!(crossing(&walls), [1, 3]);
+        let rows: Vec<ChannelRow> = walls.iter().map(|w| row(*w)).collect();
+        assert!(hulls(&mut rows.clone(), Sweep::default()).is_err());
+    }
 }

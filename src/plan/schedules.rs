@@ -167,15 +167,23 @@ fn paced_standing(
 
 /// Schedules that may be faster on some machine. One that cannot be made is left out.
 pub(crate) fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
-    let optimal = |measure| (ScheduleKind::Optimal, options.with(|s| s.measure = measure));
-    let kinds = [
-        optimal(options.settings.measure),
-        optimal(Measure::SquareSecond),
-        (ScheduleKind::Piecewise, *options),
-        (ScheduleKind::Quaternion, *options),
-        (ScheduleKind::Fixed, *options),
-    ];
-    parallel::filter_map(&kinds, |(kind, options)| {
+    let published = [ScheduleKind::Piecewise, ScheduleKind::Quaternion, ScheduleKind::Fixed].map(|k| (k, *options));
+    let kinds: Vec<(ScheduleKind, ScheduleOptions)> = optima(options).into_iter().chain(published).collect();
+    made(&kinds, path, channel)
+}
+
+/// The optimal schedules alone.
+pub(crate) fn optimal_rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
+    made(&optima(options), path, channel)
+}
+
+fn optima(options: &ScheduleOptions) -> [(ScheduleKind, ScheduleOptions); 2] {
+    [options.settings.measure, Measure::SquareSecond]
+        .map(|measure| (ScheduleKind::Optimal, options.with(|s| s.measure = measure)))
+}
+
+fn made(kinds: &[(ScheduleKind, ScheduleOptions)], path: &Toolpath, channel: &Channel) -> Vec<Schedule> {
+    parallel::filter_map(kinds, |(kind, options)| {
         schedule::plan(*kind, path, channel, options, &Silent).ok().filter(|s| machinable(s, channel))
     })
 }

@@ -120,9 +120,7 @@ impl StretchScene<'_> {
         let settings = &keeping.settings;
         let count = found.places.len();
         let whole = self.course(found, [0, count - 1]);
-        if sparse::is_long(&whole.path) {
-            timed(self.observer, Stage::Channel, || self.opens(found, settings))?;
-        }
+        timed(self.observer, Stage::Channel, || self.opens(found, settings))?;
         let channel = timed(self.observer, Stage::Channel, || self.channel(&whole.path, settings, &[]))?;
         let theta = on_branch(&whole.theta, &channel);
         let Some([from, to]) = within(&theta, &channel) else {
@@ -157,8 +155,8 @@ impl StretchScene<'_> {
         Ok(Err("between its lines the tool would come too near to the part".into()))
     }
 
-    /// Looks at the places first where the program comes nearest to the part: along a long course a
-    /// channel that closes there costs much.
+    /// Looks at the places first where the program comes nearest to the part: a channel of the
+    /// whole course that closes there costs much.
     ///
     /// # Errors
     /// That a place has no free angle.
@@ -322,16 +320,18 @@ impl StretchScene<'_> {
         is_enough: &(dyn Fn(&Schedule) -> bool + Sync),
     ) -> Result<Vec<Schedule>> {
         let path = &course.path;
-        let Some((few, walls)) = sparse::course(path, channel) else {
-            return self.schedules_at(path, channel, ends, most_mm_min, is_enough);
-        };
         let at_all = |s: Schedule| sparse::at_all(s, path, channel);
         let is_enough_at_all = |s: &Schedule| at_all(s.clone()).is_some_and(|s| is_enough(&s));
-        let made = match self.schedules_at(&few, &walls, ends, most_mm_min, &is_enough_at_all) {
-            Err(e) if e.kind != ErrorKind::Infeasible => return Err(e),
-            made => parallel::filter_map(made.unwrap_or_default(), at_all),
-        };
-        if made.is_empty() { self.schedules_at(path, channel, ends, most_mm_min, is_enough) } else { Ok(made) }
+        if let Some((few, walls)) = sparse::course(path, channel, ends) {
+            let made = match self.schedules_at(&few, &walls, ends, most_mm_min, &is_enough_at_all) {
+                Err(e) if e.kind != ErrorKind::Infeasible => return Err(e),
+                made => parallel::filter_map(made.unwrap_or_default(), at_all),
+            };
+            if !made.is_empty() {
+                return Ok(made);
+            }
+        }
+        self.schedules_at(path, channel, ends, most_mm_min, is_enough)
     }
 
     /// Schedules at the places of a path; of kind `time` the first alone where that is fast enough.
@@ -356,7 +356,8 @@ impl StretchScene<'_> {
             // Nothing is to stand still at the ends: there the program goes on.
             ScheduleKind::Time => match schedule::plan(ScheduleKind::Time, path, channel, &options, &Silent) {
                 Ok(own) if keeps(&own) && is_enough(&own) => vec![own],
-                own => match (own, schedules::rivals(path, channel, &options)) {
+                // With given ends `fixed` and `quaternion` are none; `piecewise` has less choice.
+                own => match (own, schedules::optimal_rivals(path, channel, &options)) {
                     (Err(e), rivals) if e.kind != ErrorKind::Infeasible || rivals.is_empty() => return Err(e),
                     (own, rivals) => own.into_iter().chain(rivals).collect(),
                 },

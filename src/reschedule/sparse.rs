@@ -13,8 +13,11 @@ use crate::artifact::{Channel, Cones, Schedule, Toolpath};
 const MOST: usize = 30_000;
 /// At most so many places are from one that is kept to the next.
 const STRIDE: usize = 32;
-/// Walls are straight that are off a straight line by no more, rad.
-const STRAIGHT_RAD: f64 = 5e-4;
+/// Walls are straight that are off a straight line by no more than this share of the room that θ
+/// has.
+const STRAIGHT_SHARE: f64 = 0.005;
+/// Or by no more than this, rad.
+const STRAIGHT_RAD: f64 = 1e-6;
 /// So many places at either end are all kept: there θ is given.
 const AT_ENDS: usize = 8;
 /// Angles that differ by less are the same, rad: rounding of a cubic is no turning back.
@@ -25,12 +28,14 @@ pub(super) fn is_long(path: &Toolpath) -> bool {
     path.locations.len() > MOST
 }
 
-/// The course at some of its places; `None` where it has few, or where θ may turn back.
-pub(super) fn course(path: &Toolpath, channel: &Channel) -> Option<(Toolpath, Channel)> {
+/// The course at some of its places, with θ at both ends, rad; `None` where it has few, or where θ
+/// may turn back.
+pub(super) fn course(path: &Toolpath, channel: &Channel, ends: [f64; 2]) -> Option<(Toolpath, Channel)> {
     if !is_long(path) || path.locations.len() != channel.rows.len() || !channel.sweep.is_round() {
         return None;
     }
-    let kept = kept(path, channel);
+    let straight = Straight { path, channel, ends };
+    let kept = straight.kept();
     let locations: Vec<_> = kept.iter().map(|k| path.locations[*k]).collect();
     let cones = match path.cones {
         Cones::Same(_) => path.cones.clone(),
@@ -73,31 +78,49 @@ pub(super) fn at_all(schedule: Schedule, path: &Toolpath, channel: &Channel) -> 
     keeps.then_some(Schedule { theta, ..schedule })
 }
 
-/// Indices of the places that are kept: those at both ends, and of the others as few as the walls
-/// between allow to be straight.
-fn kept(path: &Toolpath, channel: &Channel) -> Vec<usize> {
-    let n = channel.rows.len();
-    let last = n.saturating_sub(AT_ENDS);
-    let mut out: Vec<usize> = (0..AT_ENDS.min(n)).collect();
-    let mut from = AT_ENDS.saturating_sub(1);
-    while from < last {
-        let to = (from + STRIDE).min(last);
-        parted(path, channel, [from, to], &mut out);
-        from = to;
-    }
-    out.extend(from + 1..n);
-    out
+/// What walls count as straight in.
+struct Straight<'a> {
+    path: &'a Toolpath,
+    channel: &'a Channel,
+    /// θ at both ends, rad.
+    ends: [f64; 2],
 }
 
-/// Adds the last of some places, and those between that the walls ask for.
-fn parted(path: &Toolpath, channel: &Channel, [from, to]: [usize; 2], out: &mut Vec<usize>) {
-    let is_bent = off_straight(path, channel, [from, to]).iter().flatten().any(|off| *off > STRAIGHT_RAD);
-    if is_bent && to > from + 1 {
-        let middle = (from + to) / 2;
-        parted(path, channel, [from, middle], out);
-        parted(path, channel, [middle, to], out);
-    } else {
-        out.push(to);
+impl Straight<'_> {
+    /// Indices of the places that are kept: those at both ends, and of the others as few as the
+    /// walls between allow to be straight.
+    fn kept(&self) -> Vec<usize> {
+        let n = self.channel.rows.len();
+        let last = n.saturating_sub(AT_ENDS);
+        let mut out: Vec<usize> = (0..AT_ENDS.min(n)).collect();
+        let mut from = AT_ENDS.saturating_sub(1);
+        while from < last {
+            let to = (from + STRIDE).min(last);
+            self.parted([from, to], &mut out);
+            from = to;
+        }
+        out.extend(from + 1..n);
+        out
+    }
+
+    /// Adds the last of some places, and those between that the walls ask for.
+    fn parted(&self, [from, to]: [usize; 2], out: &mut Vec<usize>) {
+        let most_rad = STRAIGHT_RAD.max(STRAIGHT_SHARE * self.room_rad(from).min(self.room_rad(to)));
+        let is_bent = off_straight(self.path, self.channel, [from, to]).iter().flatten().any(|off| *off > most_rad);
+        if is_bent && to > from + 1 {
+            let middle = (from + to) / 2;
+            self.parted([from, middle], out);
+            self.parted([middle, to], out);
+        } else {
+            out.push(to);
+        }
+    }
+
+    /// From one wall to the other; of a θ that never falls also from its first angle to the upper
+    /// wall, and from the lower wall to its last one.
+    fn room_rad(&self, k: usize) -> f64 {
+        let (Some(row), [first, last]) = (self.channel.rows.get(k), self.ends) else { return 0.0 };
+        (row.hull_max - row.hull_min).min(row.hull_max - first).min(last - row.hull_min)
     }
 }
 
@@ -152,11 +175,20 @@ mod tests {
     use crate::sample;
     use crate::schedule::{self, ScheduleOptions};
 
+    fn kept(path: &Toolpath, channel: &Channel, ends: [f64; 2]) -> Vec<usize> {
+        Straight { path, channel, ends }.kept()
+    }
+
     /// Walls that rise unevenly, a radian apart.
     fn walls(count: usize, step: f64) -> Channel {
+        walls_apart(count, step, 1.0)
+    }
+
+    /// So far apart, rad.
+    fn walls_apart(count: usize, step: f64, apart: f64) -> Channel {
         let row = |k: usize| {
             let lo = k as f64 * step + 0.05 * (k as f64 / 37.0).sin();
-            let hi = lo + 1.0;
+            let hi = lo + apart;
             ChannelRow {
                 theta_min: lo,
                 theta_max: hi,
@@ -177,8 +209,9 @@ mod tests {
     fn walls_between_places_that_are_left_out_hold() {
         let path = sample::plan(70, 1000).toolpath;
         let n = path.locations.len();
-        let all = walls(n, std::f64::consts::TAU / 1000.0);
-        let (few, walls) = course(&path, &all).unwrap();
+        let all = walls_apart(n, std::f64::consts::TAU / 1000.0, 0.1);
+        let ends = [0.04, all.rows[n - 1].hull_min + 0.06];
+        let (few, walls) = course(&path, &all, ends).unwrap();
         assert!(few.locations.len() < n / 2 && few.locations.len() == walls.rows.len());
         assert_eq!(few.turns.len(), path.turns.len());
         assert_eq!(few.turns.iter().map(|t| t.count).sum::<usize>(), few.locations.len());
@@ -197,7 +230,6 @@ mod tests {
             assert!((-1e-9..1e-3).contains(&lo) && (-1e-9..1e-3).contains(&hi), "{lo} {hi}");
         }
         // A schedule within them is within all.
-        let ends = [0.4, all.rows[n - 1].hull_min + 0.6];
         let options = ScheduleOptions { ends_rad: Some(ends), ..ScheduleOptions::default() };
         let made = schedule::plan(ScheduleKind::Optimal, &few, &walls, &options, &Silent).unwrap();
         let theta = at_all(made.clone(), &path, &all).unwrap().theta;
@@ -213,13 +245,32 @@ mod tests {
     }
 
     #[test]
+    fn where_there_is_room_fewer_places_are_kept() {
+        let path = sample::plan(70, 1000).toolpath;
+        let n = path.locations.len();
+        let all = walls(n, std::f64::consts::TAU / 1000.0);
+        // The first angle is hard under the upper wall, the last one on the lower.
+        let ends = [all.rows[0].hull_max - 1e-5, all.rows[n - 1].hull_min];
+        let (few, walls) = course(&path, &all, ends).unwrap();
+        let narrow = walls_apart(n, std::f64::consts::TAU / 1000.0, 0.01);
+        let all_of_narrow = course(&path, &narrow, [0.005, narrow.rows[n - 1].hull_min + 0.005]);
+        let most = all_of_narrow.map_or(n, |(course, _)| course.locations.len());
+        assert!(3 * few.locations.len() < most, "{} {most}", few.locations.len());
+        let options = ScheduleOptions { ends_rad: Some(ends), ..ScheduleOptions::default() };
+        let made = schedule::plan(ScheduleKind::Optimal, &few, &walls, &options, &Silent).unwrap();
+        let theta = at_all(made, &path, &all).unwrap().theta;
+        assert!(theta.iter().zip(&all.rows).all(|(t, r)| (r.hull_min..=r.hull_max).contains(t)));
+        assert!((theta[0] - ends[0]).abs() < 1e-9 && (theta[n - 1] - ends[1]).abs() < 1e-9);
+    }
+
+    #[test]
     fn short_courses_and_those_that_turn_back_stay_whole() {
         let path = sample::plan(3, 1000).toolpath;
-        assert!(course(&path, &walls(path.locations.len(), 0.006)).is_none());
+        assert!(course(&path, &walls(path.locations.len(), 0.006), [0.5, 0.5]).is_none());
         let path = sample::plan(70, 1000).toolpath;
         let mut channel = walls(path.locations.len(), 0.006);
         channel.sweep = crate::artifact::channel::Sweep::Follow;
-        assert!(course(&path, &channel).is_none());
+        assert!(course(&path, &channel, [0.5, 0.5]).is_none());
     }
 
     #[test]
@@ -228,14 +279,14 @@ mod tests {
         let n = path.locations.len();
         let mut straight = walls(n, 0.0);
         straight.rows.iter_mut().for_each(|r| (r.hull_min, r.hull_max) = (0.0, 1.0));
-        let few = kept(&path, &straight);
+        let few = kept(&path, &straight, [0.4, 0.6]);
         assert!(few.starts_with(&[0, 1, 2, 3, 4, 5, 6, 7]));
         assert!(few.ends_with(&[n - 4, n - 3, n - 2, n - 1]) && few.windows(2).all(|w| w[0] < w[1]));
         assert!(few.windows(2).all(|w| w[1] - w[0] <= STRIDE) && few.len() < n / STRIDE + 3 * AT_ENDS);
         // A wall with a tip is kept to the place.
         let mut tip = straight;
         tip.rows[30_000].hull_min += 0.1;
-        let near = kept(&path, &tip);
+        let near = kept(&path, &tip, [0.4, 0.6]);
         assert!(near.contains(&30_000) && near.len() > few.len() && near.len() < few.len() + 12);
     }
 }

@@ -9,7 +9,7 @@
 //! | `program-centre` | distance of the ball centre at the end of each cutting line from the plan's path |
 //! | `program-direction` | angle between the tool axis there and the plan's, which is even in θ between locations |
 //! | `program-curve` | angle between the tool axis *within* each polynomial line and the schedule's curve θ(S); ball centres within it count under `program-centre` |
-//! | `program-chord` | distance of the ball centre from the plan's path *within* each cutting line, the control moving every word evenly |
+//! | `program-chord` | distance of the ball centre from the plan's path *within* each cutting line, the control moving every word evenly; at most the chord tolerance, or 0.1 µm where that is less |
 //! | `program-joints` | jumps of the first three derivatives of ball centre and rotary axes where two polynomial lines of a programmed curve meet, over what rounding and a hundredth of the greatest third derivative allow (page of `joints.rs`) |
 //! | `program-missing` | distance of each cutter location from the program's path: a line that is missing shows |
 //! | `program-rapids` | least distance of the whole tool to the part and what stands about it in rapids, those between operations among them |
