@@ -13,7 +13,7 @@ use bladewright::job::JobFile;
 use bladewright::observe::Silent;
 use bladewright::pair::Held;
 use bladewright::plan::Setup;
-use bladewright::plan::pinch::{Pinch, PinchProgrammed};
+use bladewright::plan::pinch::{LeanPair, Pinch, PinchProgrammed};
 use bladewright::run::Loaded;
 use bladewright::run::inputs;
 use bladewright::verify::{self, PinchAsked, PinchWork};
@@ -40,6 +40,41 @@ fn planned() -> &'static (Setup, Pinch) {
         // again.
         std::thread::scope(|s| s.spawn(|| plan_for(&[])).join().expect("planned"))
     })
+}
+
+/// What advice says of a pair of leans at some of the places is what planning with it finds at all.
+#[test]
+fn leans_that_are_advised_are_those_that_rows_have() {
+    let (setup, pinch) = planned();
+    let own = setup.job.machine.b_deg;
+    let found = setup.pinch_advice(&[-15.0, own, 30.0], &Silent).expect("leans");
+    assert!(found.open.len() > 3 && found.places < pinch.rows.places.len(), "{found:?}");
+    let share = |pinch: &Pinch| {
+        let cut = pinch.rows.places.len() as f64;
+        cut / (cut + pinch.cut_off as f64)
+    };
+    let agrees = |said: &LeanPair, pinch: &Pinch| {
+        assert!((said.open_share - share(pinch)).abs() < 0.03, "{said:?} {}", share(pinch));
+        assert_eq!((said.rows, said.still_rows), (pinch.rows.rows.len(), pinch.still_rows()), "{said:?}");
+        let least_deg = pinch.narrowest().expect("places").0.to_degrees();
+        assert!((-1e-6..6.0).contains(&(said.narrowest_deg - least_deg)), "{said:?} {least_deg}");
+    };
+    let now = found.now.as_ref().expect("open");
+    assert!(now.b_deg.iter().all(|b| (b - own).abs() < 1e-9));
+    agrees(now, pinch);
+    // The best comes first, and is as good as it says.
+    let best = &found.open[0];
+    assert!(found.open.iter().all(|p| p.open_share <= best.open_share + 0.001));
+    let [first, second] = best.b_deg;
+    let leans = [format!("machine.b_deg={first}"), format!("pinch.b_2_deg={second}")];
+    agrees(best, &plan_for(&leans.each_ref().map(String::as_str)).1);
+    // What the file says of the machine is said before leans are looked at.
+    let mut job = JobFile::from_model(Path::new(MODEL));
+    let file = format!("machine.file=\"{TWO_HEADS}\"");
+    KEYS.iter().chain(&[file.as_str(), "pinch.between_deg=90"]).for_each(|key| job.set(key).expect("a key"));
+    let setup = Loaded::read(&inputs::draft(job, Path::new("")).expect("a draft"), &Silent).expect("a blade").setup;
+    let e = setup.pinch_advice(&[own], &Silent).expect_err("another machine");
+    assert!(e.to_string().contains("pinch.between_deg is 90"), "{e}");
 }
 
 #[test]

@@ -156,6 +156,22 @@ impl PairedRows {
         PairedRows { rows: rows.iter().map(numbered).collect(), places, edge_rows, ..self.clone() }
     }
 
+    /// The same with the first of every so many places of a row, and its last.
+    #[must_use]
+    pub fn thinned(&self, every: usize) -> Self {
+        let mut places = Vec::with_capacity(self.places.len() / every.max(1) + 2 * self.rows.len());
+        let mut thin = |row: &Range<usize>| {
+            let from = places.len();
+            places.extend(row.clone().step_by(every.max(1)).map(|k| self.places[k]));
+            if row.len() > 1 && (row.len() - 1) % every.max(1) != 0 {
+                places.push(self.places[row.end - 1]);
+            }
+            from..places.len()
+        };
+        let rows = self.rows.iter().map(&mut thin).collect();
+        PairedRows { rows, places, ..self.clone() }
+    }
+
     /// The rows whose places are opposite each other: all but those round the edges.
     pub fn held_rows(&self) -> usize {
         self.rows.len().saturating_sub(self.edge_rows)
@@ -219,4 +235,46 @@ pub struct PinchMotion {
     /// What tools stay beyond from stretch to stretch: heights over the blade axis of what the part
     /// turns in, mm.
     pub turning_mm: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinned_rows_keep_both_ends() {
+        let at = |x: f64| {
+            let centre = Point::new(x, 0.0, 0.0);
+            BallContact { centre, contact: centre, normal: Vector::y(), face: 0 }
+        };
+        let place = |k: usize| PairPlace {
+            contacts: [at(k as f64); 2],
+            held_centre: Point::origin(),
+            held_radius_mm: 1.0,
+            angle_rad: 0.0,
+            apart_mm: 0.0,
+        };
+        let rows = PairedRows {
+            radius_mm: [1.0; 2],
+            stock_mm: 0.0,
+            scallop_mm: 0.1,
+            chord_mm: 0.01,
+            heights_mm: [0.0, 1.0],
+            planned_scallop_mm: [0.1; 2],
+            rows: vec![0..7, 7..8, 8..11, 11..11],
+            edge_rows: 0,
+            edge_heights_mm: None,
+            places: (0..11).map(place).collect(),
+            ends: Vec::new(),
+        };
+        let of = |every: usize| {
+            let thin = rows.thinned(every);
+            let heights: Vec<usize> = thin.places.iter().map(|p| p.contacts[0].centre.x as usize).collect();
+            (thin.rows, heights)
+        };
+        assert_eq!(of(1), (rows.rows.clone(), (0..11).collect()));
+        assert_eq!(of(3), (vec![0..3, 3..4, 4..6, 6..6], vec![0, 3, 6, 7, 8, 10]));
+        assert_eq!(of(4), (vec![0..3, 3..4, 4..6, 6..6], vec![0, 4, 6, 7, 8, 10]));
+        assert_eq!(of(0), of(1));
+    }
 }

@@ -356,6 +356,9 @@ pub struct Advise {
     /// Folder for advice.json; without it, it is only printed.
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<PathBuf>,
+    /// For two tools on one blade: which leans of both open the rows, B and `pinch.b_2_deg`.
+    #[arg(long)]
+    pub pinch: bool,
     /// How to read the model.
     #[command(flatten)]
     pub reading: Reading,

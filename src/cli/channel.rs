@@ -15,11 +15,16 @@ use crate::geometry::Vector;
 use crate::geometry::part::Part;
 use crate::observe::Observer;
 use crate::plan::Setup;
+use crate::plan::pinch::LeanPair;
 use crate::run::{self, Loaded, RunFolder};
 use crate::write::draw;
 
 /// Angles B that advice looks at: from, to, step, degrees.
 const ANGLES_DEG: [f64; 3] = [-20.0, 45.0, 2.5];
+/// For each of two tools.
+const PAIR_ANGLES_DEG: [f64; 3] = [-20.0, 45.0, 5.0];
+/// Pairs of leans that are printed.
+const BEST_PAIRS: usize = 5;
 
 /// Cells of the sphere lie within this of their middle where they are not decided, degrees.
 const FINEST_DEG: f64 = 0.5;
@@ -163,6 +168,9 @@ pub fn advise(args: &Advise, quiet: bool) -> Result<u8> {
 
 fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
     let setup = Loaded::read(&draft_from(&args.input, &args.reading, &args.set)?, observer)?.setup;
+    if args.pinch {
+        return pair_advice(args, &setup, observer);
+    }
     for_one_cone(&setup, "advise")?;
     let toolpath = setup.path(observer)?;
     let (around, options, tool) = (setup.surroundings()?, setup.channel_options(), &setup.job.tool);
@@ -227,6 +235,56 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
         row("none of these alone opens it", format!("machine less of the blade, or take another tool{end}"));
     }
     sayln!("looked at {} locations of the path; a plan with these values proves the moves between them", found.places);
+    if let Some(out) = &args.out {
+        let mut folder = RunFolder::begin(out)?;
+        folder.add_json("advice.json", &found)?;
+        for file in folder.finish()? {
+            sayln!("{}", file.display());
+        }
+    }
+    Ok(0)
+}
+
+/// Which leans of two tools open the rows.
+fn pair_advice(args: &Advise, setup: &Setup, observer: &dyn Observer) -> Result<u8> {
+    let angles = setup.angles_b(PAIR_ANGLES_DEG);
+    let found = setup.pinch_advice(&angles, observer)?;
+    sayln!(
+        "{:>8} {:>12} {:>12} {:>12} {:>14}  narrowest at",
+        "B",
+        "pinch.b_2",
+        "places",
+        "still rows",
+        "free for both"
+    );
+    let row = |p: &LeanPair, name: &str| {
+        let [a, b] = p.b_deg.map(|deg| limit(deg) + "°");
+        let rows = format!("{} of {}", p.still_rows, p.rows);
+        sayln!(
+            "{a:>8} {b:>12} {:>10.1} % {rows:>12} {:>13.2}°  height {:.2} mm{name}",
+            100.0 * p.open_share,
+            p.narrowest_deg,
+            p.narrowest_at_mm
+        );
+    };
+    match &found.now {
+        Some(now) => row(now, ", as the job has it"),
+        None => sayln!("as the job has it no row is open"),
+    }
+    found.open.iter().take(BEST_PAIRS).for_each(|p| row(p, ""));
+    if let Some(same) = found.open.iter().find(|p| p.b_deg[0] == p.b_deg[1]) {
+        row(same, ", the best of equal leans");
+    }
+    let pairs = angles.len() * angles.len();
+    sayln!("{} of {pairs} pairs of leans open rows, looked at {} places", found.open.len(), found.places);
+    match found.open.first() {
+        Some(best) => sayln!(
+            "best: machine.b_deg={} pinch.b_2_deg={}; `bladewright pinch` with them checks all places and moves",
+            limit(best.b_deg[0]),
+            limit(best.b_deg[1])
+        ),
+        None => sayln!("none opens a row: take a slimmer or longer tool, or other pinch.heights_mm"),
+    }
     if let Some(out) = &args.out {
         let mut folder = RunFolder::begin(out)?;
         folder.add_json("advice.json", &found)?;

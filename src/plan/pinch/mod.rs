@@ -29,8 +29,10 @@ use crate::write::post::{self, Dialect};
 /// Angles between heads that differ by less are the same, rad.
 const SAME_RAD: f64 = 1e-6;
 
+mod advise;
 mod motion;
 
+pub use advise::{LeanPair, PinchAdvice};
 pub use motion::motion;
 
 /// Rows of two tools with the table's angles.
@@ -101,15 +103,23 @@ impl Pinch {
 
     /// Number of rows along which the table does not turn.
     pub fn still_rows(&self) -> usize {
-        let stretches = |row: usize| self.held.iter().filter(|h| h.row == row).count();
-        (0..self.rows.rows.len()).filter(|row| stretches(*row) == 1).count()
+        still_rows(&self.held)
     }
 
     /// Least width of what is free for both at a place, rad, and the place.
     pub fn narrowest(&self) -> Option<(f64, usize)> {
-        let widths = self.common.iter().map(FreeAngles::widest).enumerate();
-        widths.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, w)| (w, k))
+        narrowest(&self.common)
     }
+}
+
+/// Number of rows that are one stretch.
+fn still_rows(held: &[Held]) -> usize {
+    held.chunk_by(|a, b| a.row == b.row).filter(|row| row.len() == 1).count()
+}
+
+fn narrowest(common: &[FreeAngles]) -> Option<(f64, usize)> {
+    let widths = common.iter().map(FreeAngles::widest).enumerate();
+    widths.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(k, w)| (w, k))
 }
 
 impl Setup {
@@ -131,8 +141,29 @@ impl Setup {
     /// Those of [`pairs::plan`] and [`channel::intervals`]; kind `Infeasible` where at a place no
     /// angle of the table is free for both tools.
     pub fn pinch(&self, observer: &dyn Observer) -> Result<Pinch> {
-        let (job, asked) = (&self.job, self.pinch_settings());
-        let tools = self.pinch_tools();
+        let rows = self.paired_rows(observer)?;
+        let cones = self.pinch_cones();
+        let between_rad = self.between_heads(&self.pinch_settings(), cones)?;
+        let own = timed(observer, Stage::Channel, || {
+            let around = self.around_both()?;
+            let free = |tool: usize| self.free_angles(around.of(tool), &rows, (tool, cones[tool]), observer);
+            Ok([free(0)?, free(1)?])
+        })?;
+        let shared = timed(observer, Stage::Schedule, || self.shared(&rows, own, (cones, between_rad)))?;
+        let Shared { rows, cut_off, own, common, held } = shared;
+        let (checks, figures) = (Vec::new(), PinchFigures::default());
+        let mut pinch = Pinch { rows, cut_off, own, common, held, between_rad, checks, figures };
+        let stretches = pinch.stretches();
+        let options = self.verify_options();
+        let work = self.pinch_work(&pinch, &stretches);
+        let (checks, figures) = timed(observer, Stage::Verify, || Ok(verify::check_pinch(&work, &options)))?;
+        (pinch.checks, pinch.figures) = (checks, figures);
+        Ok(pinch)
+    }
+
+    /// Rows for both tools, before anything is known of their shafts.
+    fn paired_rows(&self, observer: &dyn Observer) -> Result<PairedRows> {
+        let (job, asked, tools) = (&self.job, self.pinch_settings(), self.pinch_tools());
         tools.into_iter().try_for_each(|t| t.ball_only("rows for two tools are planned"))?;
         if !job.orientation.kind.goes_round() {
             return Err(Error::usage(Stage::Job, "two tools share the turning of the blade: each keeps one lean")
@@ -146,21 +177,28 @@ impl Setup {
             apart_mm: asked.tools_apart_mm,
             edges: asked.edges == PinchEdges::Both,
         };
-        let rows = timed(observer, Stage::Path, || pairs::plan(&self.blade, &options, observer))?;
-        let cones = self.pinch_cones();
-        let between_rad = self.between_heads(&asked)?;
-        let own = timed(observer, Stage::Channel, || {
-            // One index serves balls of one radius.
-            let around = self.surroundings()?;
-            let is_same = tools[0].radius_mm == tools[1].radius_mm;
-            let other = if is_same { None } else { Some(self.surroundings_of(tools[1].radius_mm)?) };
-            let around = [&around, other.as_ref().unwrap_or(&around)];
-            let free = |tool: usize| self.free_angles(around[tool], &rows, (tool, cones[tool]), observer);
-            let second = free(1)?.into_iter().map(|f| f.turned(-between_rad)).collect();
-            Ok([free(0)?, second])
-        })?;
+        timed(observer, Stage::Path, || pairs::plan(&self.blade, &options, observer))
+    }
+
+    /// What is in the way of both tools. One index serves balls of one radius.
+    fn around_both(&self) -> Result<AroundBoth<'_>> {
+        let [first, second] = self.pinch_tools().map(|t| t.radius_mm);
+        let other = if first == second { None } else { Some(self.surroundings_of(second)?) };
+        Ok(AroundBoth { first: self.surroundings()?, other })
+    }
+
+    /// What both tools can do along rows: `own` is what is free for each by its own angle, the
+    /// second head standing `between_rad` on from the first.
+    fn shared(
+        &self,
+        rows: &PairedRows,
+        [first, second]: [Vec<FreeAngles>; 2],
+        (cones, between_rad): ([Cone; 2], f64),
+    ) -> Result<Shared> {
+        let apart_mm = self.pinch_settings().tools_apart_mm;
+        let own = [first, second.iter().map(|f| f.turned(-between_rad)).collect()];
         let common: Vec<FreeAngles> = own[0].iter().zip(&own[1]).map(|(a, b)| a.and(b)).collect();
-        let both = Both::new(tools, cones, between_rad);
+        let both = Both::new(self.pinch_tools(), cones, between_rad);
         // What is free for both ends rows too, as near a platform.
         let open = |row: &Range<usize>| {
             let run = longest(&common[row.clone()].iter().map(|c| !c.is_empty()).collect::<Vec<_>>());
@@ -169,7 +207,7 @@ impl Setup {
         let kept: Vec<_> = rows.rows.iter().map(open).filter(|row| row.len() > 1).collect();
         if kept.is_empty() {
             let first = common.iter().position(FreeAngles::is_empty).unwrap_or(0);
-            return Err(if rows.places.is_empty() { no_rows(&rows) } else { closed(&rows, &own, &both, first) });
+            return Err(if rows.places.is_empty() { no_rows(rows) } else { closed(rows, &own, &both, first) });
         }
         let all = rows.places.len();
         let chosen =
@@ -178,21 +216,12 @@ impl Setup {
         let cut_off = all - rows.places.len();
         let clear = |places: &Range<usize>, theta_rad: f64| {
             let moves = rows.places[places.clone()].windows(2);
-            moves.into_iter().all(|w| both.apart([&w[0], &w[1]], theta_rad).least_mm >= asked.tools_apart_mm)
+            moves.into_iter().all(|w| both.apart([&w[0], &w[1]], theta_rad).least_mm >= apart_mm)
         };
-        let hold = HoldOptions { margin_rad: job.schedule.margin_deg.to_radians() };
-        let held = timed(observer, Stage::Schedule, || {
-            pair::hold(&rows.rows, &common, hold, clear).map_err(|k| closed(&rows, &own, &both, k))
-        })?;
+        let hold = HoldOptions { margin_rad: self.job.schedule.margin_deg.to_radians() };
+        let held = pair::hold(&rows.rows, &common, hold, clear).map_err(|k| closed(&rows, &own, &both, k))?;
         let held = within_turns(held, self.theta_limits());
-        let (checks, figures) = (Vec::new(), PinchFigures::default());
-        let mut pinch = Pinch { rows, cut_off, own, common, held, between_rad, checks, figures };
-        let stretches = pinch.stretches();
-        let options = self.verify_options();
-        let work = self.pinch_work(&pinch, &stretches);
-        let (checks, figures) = timed(observer, Stage::Verify, || Ok(verify::check_pinch(&work, &options)))?;
-        (pinch.checks, pinch.figures) = (checks, figures);
-        Ok(pinch)
+        Ok(Shared { rows, cut_off, own, common, held })
     }
 
     /// Both tools.
@@ -303,8 +332,8 @@ impl Setup {
     }
 
     /// The angle of the second head over the first: the machine's where it has two.
-    fn between_heads(&self, asked: &PinchSettings) -> Result<f64> {
-        let own = self.machine.between_heads(self.pinch_cones().map(|c| c.lean_rad))?;
+    fn between_heads(&self, asked: &PinchSettings, cones: [Cone; 2]) -> Result<f64> {
+        let own = self.machine.between_heads(cones.map(|c| c.lean_rad))?;
         let Some(typed) = asked.between_deg.map(f64::to_radians) else { return Ok(own.unwrap_or(PI)) };
         match own.filter(|own| within_half_turn(typed - own).abs() > SAME_RAD) {
             None => Ok(typed),
@@ -335,6 +364,28 @@ impl Setup {
         let options = ChannelOptions { sweep: Sweep::Swing, travel: Vec::new(), theta_limits_rad, ..usual };
         let found = channel::intervals(around, self.pinch_tools()[side], &path, &options, observer)?;
         Ok(found.iter().map(|free| FreeAngles::of(free.iter().map(|f| [f.theta_min, f.theta_max]))).collect())
+    }
+}
+
+/// What both tools can do along rows.
+struct Shared {
+    rows: PairedRows,
+    cut_off: usize,
+    own: [Vec<FreeAngles>; 2],
+    common: Vec<FreeAngles>,
+    held: Vec<Held>,
+}
+
+/// What is in the way of both tools.
+struct AroundBoth<'a> {
+    first: Surroundings<'a>,
+    /// Where the second ball is another.
+    other: Option<Surroundings<'a>>,
+}
+
+impl<'a> AroundBoth<'a> {
+    fn of(&self, tool: usize) -> &Surroundings<'a> {
+        self.other.as_ref().filter(|_| tool == 1).unwrap_or(&self.first)
     }
 }
 
