@@ -163,7 +163,7 @@ impl PairedRows {
         let mut thin = |row: &Range<usize>| {
             let from = places.len();
             places.extend(row.clone().step_by(every.max(1)).map(|k| self.places[k]));
-            if row.len() > 1 && (row.len() - 1) % every.max(1) != 0 {
+            if row.len() > 1 && !(row.len() - 1).is_multiple_of(every.max(1)) {
                 places.push(self.places[row.end - 1]);
             }
             from..places.len()
