@@ -235,13 +235,7 @@ fn advice(args: &Advise, observer: &dyn Observer) -> Result<u8> {
         row("none of these alone opens it", format!("machine less of the blade, or take another tool{end}"));
     }
     sayln!("looked at {} locations of the path; a plan with these values proves the moves between them", found.places);
-    if let Some(out) = &args.out {
-        let mut folder = RunFolder::begin(out)?;
-        folder.add_json("advice.json", &found)?;
-        for file in folder.finish()? {
-            sayln!("{}", file.display());
-        }
-    }
+    add_advice(args, &found)?;
     Ok(0)
 }
 
@@ -285,12 +279,15 @@ fn pair_advice(args: &Advise, setup: &Setup, observer: &dyn Observer) -> Result<
         ),
         None => sayln!("none opens a row: take a slimmer or longer tool, or other pinch.heights_mm"),
     }
-    if let Some(out) = &args.out {
-        let mut folder = RunFolder::begin(out)?;
-        folder.add_json("advice.json", &found)?;
-        for file in folder.finish()? {
-            sayln!("{}", file.display());
-        }
-    }
+    add_advice(args, &found)?;
     Ok(0)
+}
+
+/// Writes what was advised where a folder is asked for.
+fn add_advice(args: &Advise, found: &impl serde::Serialize) -> Result<()> {
+    let Some(out) = &args.out else { return Ok(()) };
+    let mut folder = RunFolder::begin(out)?;
+    folder.add_json("advice.json", found)?;
+    folder.finish()?.iter().for_each(|file| sayln!("{}", file.display()));
+    Ok(())
 }
