@@ -346,17 +346,16 @@ fn plan_with(
     } else {
         surroundings.layers(tool, &scene, (&samples, path), observer)?
     };
+    // Places at which the finer index is to decide, and those at which it has.
+    let mut asked = if finer.is_some() { narrow(&layers) } else { Vec::new() };
     let mut by_finer = vec![false; samples.len()];
-    if let Some(finer) = finer
-        && let narrow = narrow(&layers)
-        && !narrow.is_empty()
-    {
-        widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&narrow, &samples), observer)?;
-        narrow.iter().for_each(|k| by_finer[*k] = true);
-    }
     let reporter =
         report::Reporter { blade: surroundings.blade, path, scene: &scene, samples: &samples, is_start: true };
     let (mut rows, narrowest_row, count) = loop {
+        if let Some(finer) = finer.filter(|_| !asked.is_empty()) {
+            widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&asked, &samples), observer)?;
+            asked.iter().for_each(|k| by_finer[*k] = true);
+        }
         let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians())
             .map_err(|c| surroundings.closed(tool, options, (&reporter, &layers), c.at))?;
         let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
@@ -378,12 +377,10 @@ fn plan_with(
                 // Walls that cross by the usual index may not by the finer one.
                 let crossing_rows = walls::crossing_rows(&rows);
                 let crosses = |k: &usize| crossing_rows.binary_search(&samples[*k].row).is_ok();
-                let more: Vec<usize> = (0..samples.len()).filter(|k| !by_finer[*k] && crosses(k)).collect();
-                let Some(finer) = finer.filter(|_| !more.is_empty()) else {
+                asked = (0..samples.len()).filter(|k| !by_finer[*k] && crosses(k)).collect();
+                if finer.is_none() || asked.is_empty() {
                     return Err(reporter.crossing(&rows, crossing));
-                };
-                widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&more, &samples), observer)?;
-                more.iter().for_each(|k| by_finer[*k] = true);
+                }
             }
         }
     };

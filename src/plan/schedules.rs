@@ -165,25 +165,15 @@ fn paced_standing(
     schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
 }
 
-/// Schedules that may be faster on some machine. One that cannot be made is left out.
+/// Schedules that may be faster on some machine. One that cannot be made is left out. With given
+/// ends the optimal ones alone: `fixed` and `quaternion` are none, `piecewise` has less choice.
 pub(crate) fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
+    let optimal = [options.settings.measure, Measure::SquareSecond]
+        .map(|measure| (ScheduleKind::Optimal, options.with(|s| s.measure = measure)));
     let published = [ScheduleKind::Piecewise, ScheduleKind::Quaternion, ScheduleKind::Fixed].map(|k| (k, *options));
-    let kinds: Vec<(ScheduleKind, ScheduleOptions)> = optima(options).into_iter().chain(published).collect();
-    made(&kinds, path, channel)
-}
-
-/// The optimal schedules alone.
-pub(crate) fn optimal_rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
-    made(&optima(options), path, channel)
-}
-
-fn optima(options: &ScheduleOptions) -> [(ScheduleKind, ScheduleOptions); 2] {
-    [options.settings.measure, Measure::SquareSecond]
-        .map(|measure| (ScheduleKind::Optimal, options.with(|s| s.measure = measure)))
-}
-
-fn made(kinds: &[(ScheduleKind, ScheduleOptions)], path: &Toolpath, channel: &Channel) -> Vec<Schedule> {
-    parallel::filter_map(kinds, |(kind, options)| {
+    let published = published.into_iter().filter(|_| options.ends_rad.is_none());
+    let kinds: Vec<(ScheduleKind, ScheduleOptions)> = optimal.into_iter().chain(published).collect();
+    parallel::filter_map(&kinds, |(kind, options)| {
         schedule::plan(*kind, path, channel, options, &Silent).ok().filter(|s| machinable(s, channel))
     })
 }

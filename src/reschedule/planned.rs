@@ -356,8 +356,7 @@ impl StretchScene<'_> {
             // Nothing is to stand still at the ends: there the program goes on.
             ScheduleKind::Time => match schedule::plan(ScheduleKind::Time, path, channel, &options, &Silent) {
                 Ok(own) if keeps(&own) && is_enough(&own) => vec![own],
-                // With given ends `fixed` and `quaternion` are none; `piecewise` has less choice.
-                own => match (own, schedules::optimal_rivals(path, channel, &options)) {
+                own => match (own, schedules::rivals(path, channel, &options)) {
                     (Err(e), rivals) if e.kind != ErrorKind::Infeasible || rivals.is_empty() => return Err(e),
                     (own, rivals) => own.into_iter().chain(rivals).collect(),
                 },
