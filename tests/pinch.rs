@@ -6,12 +6,12 @@ use std::process::{Command, Output};
 use std::sync::OnceLock;
 
 use bladewright::artifact::check_id::CheckId;
+use bladewright::artifact::paired::Held;
 use bladewright::artifact::program::Control;
 use bladewright::artifact::report::Check;
 use bladewright::artifact::{PairedRows, Stand};
 use bladewright::job::JobFile;
 use bladewright::observe::Silent;
-use bladewright::pair::Held;
 use bladewright::plan::Setup;
 use bladewright::plan::pinch::{LeanPair, Pinch, PinchProgrammed};
 use bladewright::run::Loaded;
@@ -153,13 +153,13 @@ fn free_angles_are_those_at_which_tools_stand_clear() {
 }
 
 /// What is found wrong with rows after a change.
-fn faults(change: impl FnOnce(&mut PairedRows, &mut Vec<(std::ops::Range<usize>, f64)>, &mut f64)) -> Vec<CheckId> {
+fn faults(change: impl FnOnce(&mut PairedRows, &mut Vec<Held>, &mut f64)) -> Vec<CheckId> {
     let (setup, pinch) = planned();
     let mut rows = pinch.rows.clone();
-    let mut held = pinch.stretches();
+    let mut held = pinch.held.clone();
     let mut between_rad = std::f64::consts::PI;
     change(&mut rows, &mut held, &mut between_rad);
-    let work = PinchWork { between_rad, rows: &rows, ..setup.pinch_work(pinch, &held) };
+    let work = PinchWork { between_rad, rows: &rows, held: &held, ..setup.pinch_work(pinch) };
     let (checks, _) = verify::check_pinch(&work, &setup.verify_options());
     checks.into_iter().filter(|c| !c.passed).map(|c| c.id).collect()
 }
@@ -190,11 +190,12 @@ fn planted_faults_are_found_and_nothing_else_is() {
     // Every other row is left out of the rows themselves.
     let wide = faults(|rows, held, _| {
         rows.rows = rows.rows.iter().step_by(2).cloned().collect();
-        held.retain(|(places, _)| rows.rows.iter().any(|r| r.contains(&places.start)));
+        held.retain(|h| rows.rows.iter().any(|r| r.contains(&h.places.start)));
     });
     assert!(wide.contains(&CheckId::Ridge), "{wide:?}");
     // The table has turned too far, and the head to the wrong side.
-    let turned = faults(|_, held, _| held.iter_mut().for_each(|(_, theta)| *theta += 1.6));
+    let turned =
+        faults(|_, held, _| held.iter_mut().for_each(|h| h.theta_rad.iter_mut().for_each(|theta| *theta += 1.6)));
     assert!(turned.contains(&CheckId::Clearance), "{turned:?}");
     let same_side = faults(|_, _, between| *between = 0.3);
     assert!(same_side.contains(&CheckId::ToolsApart) && same_side.contains(&CheckId::Clearance), "{same_side:?}");
@@ -547,10 +548,9 @@ fn faults_planted_in_two_channels_are_named() {
 #[test]
 fn tools_stay_apart_however_far_one_lags() {
     let (setup, pinch, programmed) = programmed();
-    let held = pinch.stretches();
     let texts = channels();
     let apart = |asked_mm: f64| {
-        let work = PinchWork { tools_apart_mm: asked_mm, ..setup.pinch_work(pinch, &held) };
+        let work = PinchWork { tools_apart_mm: asked_mm, ..setup.pinch_work(pinch) };
         let asked =
             PinchAsked { cutting_s: programmed.motion.cutting_s, spindle_rpm: [6000.0; 2], tolerance_mm: 0.001 };
         let texts = [texts[0].as_str(), texts[1].as_str()];
@@ -559,7 +559,7 @@ fn tools_stay_apart_however_far_one_lags() {
     };
     // Between the balls alone, over all pairs of places of a row.
     let mut least_mm = f64::INFINITY;
-    for (places, _) in &held {
+    for Held { places, .. } in &pinch.held {
         let row = &pinch.rows.places[places.clone()];
         let gap = |a: usize, b: usize| (row[a].contacts[0].centre - row[b].contacts[1].centre).norm() - 4.0;
         let pairs = (0..row.len()).flat_map(|a| (0..row.len()).map(move |b| (a, b)));
@@ -579,7 +579,7 @@ fn the_second_tool_has_a_ball_of_its_own() {
         let plan = || plan_for(&[&machine, keys[0], keys[1], keys[2]]);
         s.spawn(plan).join().expect("planned")
     });
-    let (tools, held) = (setup.pinch_tools(), pinch.stretches());
+    let tools = setup.pinch_tools();
     let radius_mm = tools.map(|t| t.radius_mm);
     assert_eq!((radius_mm, pinch.rows.radius_mm), ([2.0, 3.0], [2.0, 3.0]));
     let lengths_mm = tools.map(|t| t.length_mm());
@@ -615,18 +615,18 @@ fn the_second_tool_has_a_ball_of_its_own() {
     let found = setup.read_back_pinch(&siemens, &files, &pinch, &programmed.motion);
     assert!(found.iter().all(|c| c.passed), "{found:?}");
     // Tools in the wrong spindles: the larger ball gouges, and the smaller leaves ridges.
-    let wrong = PinchWork { tools: [tools[1], tools[0]], ..setup.pinch_work(&pinch, &held) };
+    let wrong = PinchWork { tools: [tools[1], tools[0]], ..setup.pinch_work(&pinch) };
     let (checks, _) = verify::check_pinch(&wrong, &setup.verify_options());
     let gouge = checks.iter().find(|c| c.id == CheckId::Gouge && !c.passed).expect("a gouge");
     assert!(gouge.quantity.starts_with("tool 1") && gouge.worst > 0.9, "{gouge:?}");
     // A second tool like the first: its ball is elsewhere by what the lengths differ.
-    let alike = PinchWork { tools: [tools[0]; 2], ..setup.pinch_work(&pinch, &held) };
+    let alike = PinchWork { tools: [tools[0]; 2], ..setup.pinch_work(&pinch) };
     let cutting_s = programmed.motion.cutting_s;
     let asked = PinchAsked { cutting_s, spindle_rpm: [6000.0, 4500.0], tolerance_mm: 0.001 };
     let checks = verify::check_pinch_program(&[text.as_str()], &alike, &setup.machine, &asked, &setup.verify_options());
     assert!(checks.iter().any(|c| c.id == CheckId::ProgramMissing && !c.passed), "{checks:?}");
     let same = PinchAsked { spindle_rpm: [6000.0; 2], ..asked };
-    let work = setup.pinch_work(&pinch, &held);
+    let work = setup.pinch_work(&pinch);
     let checks = verify::check_pinch_program(&[text.as_str()], &work, &setup.machine, &same, &setup.verify_options());
     let failed: Vec<&CheckId> = checks.iter().filter(|c| !c.passed).map(|c| &c.id).collect();
     assert_eq!(failed, [&CheckId::ProgramSpindle]);
@@ -726,7 +726,7 @@ fn the_commands_tables_are_the_plans() {
     for (k, row) in pairs.iter().enumerate() {
         let held = pinch.held_at(k).expect("held");
         assert_eq!((row[0], row[1]), (held.row as f64, k as f64));
-        assert!((row[26] - held.theta_rad.to_degrees()).abs() < 1e-9 && row[30] <= row[26] && row[26] <= row[31]);
+        assert!((row[26] - held.theta_at(k).to_degrees()).abs() < 1e-9 && row[30] <= row[26] && row[26] <= row[31]);
     }
     for tool in 1..=2 {
         let table = rows(&format!("cutter_locations_{tool}.csv"));
@@ -821,8 +821,7 @@ fn rows_round_the_edges_close_the_airfoil() {
         assert!(first[j].dot(&last[j]) < -0.3, "tool {}: {} {}", j + 1, first[j], last[j]);
     }
     let faults = |rows: PairedRows| -> Vec<String> {
-        let held = pinch.stretches();
-        let work = PinchWork { rows: &rows, ..setup.pinch_work(&pinch, &held) };
+        let work = PinchWork { rows: &rows, ..setup.pinch_work(&pinch) };
         let (checks, _) = verify::check_pinch(&work, &setup.verify_options());
         checks.into_iter().filter(|c| !c.passed).map(|c| format!("{} {}", c.id, c.quantity)).collect()
     };
@@ -852,10 +851,134 @@ fn a_stretch_of_two_places_is_read_back() {
     let last = pinch.held.pop().expect("a stretch");
     let (from, end) = (last.places.start, last.places.end);
     for places in [from..end - 1, end - 2..end] {
-        pinch.held.push(Held { places, ..last.clone() });
+        pinch.held.push(Held::still(last.row, places, last.ends_rad()[0], last.margin_rad));
     }
     let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
     let failed: Vec<&Check> = programmed.all_checks().filter(|c| !c.passed).collect();
     assert!(failed.is_empty(), "{failed:?}");
     assert_eq!(programmed.motion.stretches.last().map(|s| s.places.len()), Some(2));
+}
+
+/// Plans with a short tool, for which some rows have no one angle; on a thread of its own.
+fn plan_short(orientation: &str) -> (Setup, Pinch) {
+    let machine = format!("machine.file={TWO_HEADS:?}");
+    let orientation = format!("pinch.orientation=\"{orientation}\"");
+    let controls = "post.control=[\"linuxcnc\", \"siemens\", \"iso\"]";
+    let plan = || plan_for(&[&machine, "tool.stickout_mm=8", controls, &orientation]);
+    std::thread::scope(|s| s.spawn(plan).join().expect("planned"))
+}
+
+fn failed(pinch: &Pinch, programmed: &PinchProgrammed) -> Vec<CheckId> {
+    let all = pinch.checks.iter().chain(programmed.all_checks());
+    all.filter(|c| !c.passed).map(|c| c.id.clone()).collect()
+}
+
+/// Along rows without one free angle the table turns while both tools cut, hardly faster than it
+/// must; the rest of the rows are as ever.
+#[test]
+fn rows_without_one_angle_turn_as_slowly_as_can_be() {
+    let (setup, mut pinch) = plan_short("smooth");
+    let turning: Vec<&Held> = pinch.held.iter().filter(|h| !h.is_still()).collect();
+    assert!(!turning.is_empty() && turning.len() < pinch.held.len() / 2, "{}", turning.len());
+    assert_eq!(pinch.still_rows() + turning.len(), pinch.rows.rows.len());
+    let mut steepest = 0f64;
+    for h in turning {
+        assert_eq!(h.places, pinch.rows.rows[h.row], "one stretch");
+        for (k, theta) in h.places.clone().zip(&h.theta_rad) {
+            assert!(pinch.common[k].margin(*theta) >= h.margin_rad - 1e-9 && h.margin_rad >= 0.0);
+        }
+        // By the contacts themselves, for either tool.
+        for k in h.places.start..h.places.end - 1 {
+            for j in 0..2 {
+                let axis = |k: usize| setup.pinch_cones()[j].tool_axis(h.theta_at(k));
+                let [a, b] = [k, k + 1].map(|k| pinch.rows.places[k].contacts[j].contact);
+                steepest = steepest.max((axis(k + 1) - axis(k)).norm() / (b - a).norm());
+            }
+        }
+    }
+    assert!(pinch.least_slope > 1e-4 && steepest <= 1.02 * pinch.least_slope, "{steepest} {}", pinch.least_slope);
+    let measured = pinch.figures.turning_rad_mm.into_iter().fold(0.0, f64::max);
+    assert!((measured - steepest).abs() < 1e-9, "{measured} {steepest}");
+    let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
+    assert!(failed(&pinch, &programmed).is_empty(), "{:?}", failed(&pinch, &programmed));
+    // The table of the machine does turn while both cut.
+    let a = setup.machine.turning_axis();
+    let way = |s: &bladewright::artifact::paired::StretchMotion| {
+        let rows: Vec<f64> = s.motion.position.iter().map(|r| r[a]).collect();
+        rows.windows(2).map(|w| (w[1] - w[0]).abs()).sum::<f64>()
+    };
+    let turned: f64 = pinch.held.iter().map(Held::turned_rad).sum();
+    let by_axis: f64 = programmed.motion.stretches.iter().map(way).sum();
+    assert!(turned > 0.01 && (by_axis - turned).abs() < 1e-6, "{by_axis} {turned}");
+    // One line in which the table lags is found.
+    let (name, dialect) = setup.pinch_dialects().expect("dialects").remove(0);
+    assert_eq!(name, "linuxcnc");
+    let text = &programmed.programs[0].files[0].text;
+    let turns = |l: &str| is_cut(l) && token(l, "A").is_some();
+    let late = with_line(text, 3, turns, |l| moved(l, "A", 0.1));
+    let files = [PinchFile { name: "late.ngc".into(), text: late }];
+    let found = setup.read_back_pinch(&dialect, &files, &pinch, &programmed.motion);
+    let found: Vec<CheckId> = found.into_iter().filter(|c| !c.passed).map(|c| c.id).collect();
+    assert!(found.contains(&CheckId::ProgramDirection), "{found:?}");
+    // A turn of 6 degrees from a place to the next leads the balls off the straight way.
+    let still = pinch.held.iter_mut().find(|h| h.is_still()).expect("a still row");
+    let middle = still.theta_rad.len() / 2;
+    still.theta_rad[middle..].iter_mut().for_each(|theta| *theta += 0.1);
+    let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
+    assert!(failed(&pinch, &programmed).contains(&CheckId::ProgramChord), "{:?}", failed(&pinch, &programmed));
+}
+
+/// What takes less time is taken row by row, and the published way is there to compare with.
+#[test]
+fn orientations_are_compared() {
+    let cutting_s = |orientation: &str| {
+        let (setup, pinch) = plan_short(orientation);
+        let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
+        assert!(failed(&pinch, &programmed).is_empty(), "{orientation}: {:?}", failed(&pinch, &programmed));
+        (pinch, programmed.motion.cutting_s)
+    };
+    let [hold, smooth, time, paper] = ["hold", "smooth", "time", "paper"].map(cutting_s);
+    let stretches = |of: &(Pinch, f64)| of.0.held.len();
+    assert!(stretches(&hold) > stretches(&smooth) && hold.0.held.iter().all(Held::is_still));
+    // The way up, over and down again takes longer than the turn.
+    assert_eq!(time.0.held, smooth.0.held);
+    assert!(smooth.1 < hold.1 + 0.2, "{} {}", smooth.1, hold.1);
+    let published = paper.0.published.as_ref().expect("figures");
+    assert!(hold.0.published.is_none());
+    let most = |of: [f64; 2]| of.into_iter().fold(0.0, f64::max);
+    let [fixed, curve, last, ours] = [
+        published.fixed_rad_mm,
+        published.posture_rad_mm,
+        paper.0.figures.turning_rad_mm,
+        smooth.0.figures.turning_rad_mm,
+    ]
+    .map(most);
+    assert!(
+        curve < fixed && ours < 0.5 * last && paper.0.still_rows() < hold.0.still_rows(),
+        "{fixed} {curve} {last} {ours}"
+    );
+    assert!(published.posture_outside > 0, "{published:?}");
+    assert!(paper.1 > 1.01 * smooth.1, "{} {}", paper.1, smooth.1);
+}
+
+#[test]
+fn a_table_that_may_turn_is_refused_where_nothing_could_keep_time() {
+    let refused = |keys: &[&str]| {
+        let mut job = JobFile::from_model(Path::new(MODEL));
+        let file = format!("machine.file=\"{TWO_HEADS}\"");
+        let all = [&KEYS[..], &[file.as_str()], keys].concat();
+        all.iter().for_each(|key| job.set(key).expect("a key"));
+        let setup = Loaded::read(&inputs::draft(job, Path::new("")).expect("a draft"), &Silent).expect("a blade").setup;
+        let e = setup.pinch_dialects().expect_err("refused");
+        assert_eq!(e.kind.exit_code(), 2);
+        e.message
+    };
+    let smooth = "pinch.orientation=\"smooth\"";
+    let two = refused(&[smooth, "pinch.channels=2", "post.control=[\"siemens\"]"]);
+    assert!(
+        two.contains("pinch.channels is 2: channels keep time by wait marks only, so the table must stand"),
+        "{two}"
+    );
+    let minute = refused(&[smooth, "post.control=[\"fanuc\"]"]);
+    assert!(minute.contains("takes F per minute, which counts degrees of the table as well as mm"), "{minute}");
 }

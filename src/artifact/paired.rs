@@ -199,6 +199,49 @@ impl PairedRows {
     }
 }
 
+/// A stretch of a row that is cut in one motion, and how the table stands at each of its places.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Held {
+    /// Row, from 0.
+    pub row: usize,
+    /// Places of the stretch; it begins at the last place of the one before where that is of the
+    /// same row.
+    pub places: Range<usize>,
+    /// The angle of the table at each place, rad; the next stretch begins on the turn that is
+    /// nearest to where this one ends.
+    pub theta_rad: Vec<f64>,
+    /// Room to the ends of what is free for both tools, the least of all places, rad.
+    pub margin_rad: f64,
+}
+
+impl Held {
+    /// A stretch along which the table stands still.
+    pub fn still(row: usize, places: Range<usize>, theta_rad: f64, margin_rad: f64) -> Self {
+        Held { row, theta_rad: vec![theta_rad; places.len()], places, margin_rad }
+    }
+
+    /// The angle at a place, rad; not a number where the stretch has it not.
+    pub fn theta_at(&self, place: usize) -> f64 {
+        let at = place.checked_sub(self.places.start).and_then(|k| self.theta_rad.get(k));
+        at.copied().unwrap_or(f64::NAN)
+    }
+
+    /// The angles at its first place and its last, rad.
+    pub fn ends_rad(&self) -> [f64; 2] {
+        [self.theta_rad.first(), self.theta_rad.last()].map(|end| end.copied().unwrap_or(f64::NAN))
+    }
+
+    /// Whether the table stands still.
+    pub fn is_still(&self) -> bool {
+        self.theta_rad.windows(2).all(|w| w[0] == w[1])
+    }
+
+    /// How far the table turns while it is cut, to and fro, rad.
+    pub fn turned_rad(&self) -> f64 {
+        self.theta_rad.windows(2).map(|w| (w[1] - w[0]).abs()).sum()
+    }
+}
+
 /// A stretch in the machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StretchMotion {

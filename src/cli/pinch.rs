@@ -125,6 +125,23 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     row("normals lack of being opposite", format!("{median:.2}° (99 % {p99:.2}°, greatest {most:.2}°)"));
     row("free for both tools, at least", format!("{:.2}° at place {}", f.narrowest_deg, f.narrowest_place));
     row("table turns between stretches", format!("{:.1}° in all", f.turned_deg));
+    if f.turned_cutting_deg > 0.0 {
+        row("  while both tools cut", format!("{:.1}° in all", f.turned_cutting_deg));
+        let most = |of: [f64; 2]| of.into_iter().fold(0.0, f64::max);
+        let (steepest, least) = (most(f.measured.turning_rad_mm), f.least_turning_rad_mm);
+        row(
+            "  a tool axis turns at most by",
+            format!("{steepest:.5} rad/mm of its contact's way; the least is {least:.5}"),
+        );
+        if let Some(p) = &f.published {
+            let before = [(p.fixed_rad_mm, p.fixed_outside), (p.posture_rad_mm, p.posture_outside)];
+            let [fixed, curve] =
+                before.map(|(of, outside)| format!("{:.5} rad/mm, {outside} places not free", most(of)));
+            row("  at a fixed angle to the normal", fixed);
+            row("  by the posture curves", curve);
+            row("  rows without angles", p.rows_without.to_string());
+        }
+    }
     row("tools are apart", format!("{:.3} mm at least", f.measured.tools_apart_mm));
     print_failed(&pinch.checks);
 }

@@ -89,6 +89,19 @@ pub struct AxisLimits {
     pub provenance: Provenance,
 }
 
+impl AxisLimits {
+    /// From rest to rest over a way (mm or rad), under velocity and acceleration: a trapezoid, or a
+    /// triangle where it is short, s.
+    pub fn rest_to_rest_s(&self, way: f64) -> f64 {
+        let (v, a) = (self.velocity, self.acceleration);
+        match way {
+            0.0 => 0.0,
+            _ if way < v * v / a => 2.0 * (way / a).sqrt(),
+            _ => way / v + v / a,
+        }
+    }
+}
+
 /// What an axis carries, besides the axes that follow it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carries {

@@ -109,6 +109,12 @@ impl Machine {
         off(&Point::origin()).map(|own| part.bodies().map(farthest).fold(0.0, f64::max) + own)
     }
 
+    /// Time of a rapid from one position to another, all axes at once: that of the slowest, s.
+    pub fn rapid_s(&self, from: &[f64], to: &[f64]) -> f64 {
+        let ways = from.iter().zip(to).map(|(a, b)| (b - a).abs());
+        self.axes().iter().zip(ways).map(|(axis, way)| axis.limits.rest_to_rest_s(way)).fold(0.0, f64::max)
+    }
+
     /// Whether a part of these points (blade frame, mm) turns freely.
     ///
     /// # Errors
@@ -140,6 +146,22 @@ mod tests {
     use super::*;
     use crate::artifact::AxisRows;
     use crate::machine::{DEMO_TOML, MachineFile};
+
+    #[test]
+    fn rapids_take_a_trapezoid_or_a_triangle() {
+        let machine = Machine::demo().unwrap();
+        let turning = machine.turning_axis();
+        let time = |deg: f64| {
+            let mut to = vec![0.0; machine.axes().len()];
+            to[turning] = deg.to_radians();
+            machine.rapid_s(&vec![0.0; to.len()], &to)
+        };
+        // 180 degrees a second after 0.3 s: 27 degrees on the way there, and as many to a halt.
+        assert!((time(54.0) - 0.6).abs() < 1e-12);
+        assert!((time(54.0 + 180.0) - 1.6).abs() < 1e-12);
+        assert!((time(-6.0) - 0.2).abs() < 1e-12);
+        assert_eq!(time(0.0), 0.0);
+    }
 
     #[test]
     fn the_worst_location_of_each_axis_is_named() {

@@ -146,6 +146,19 @@ impl FreeAngles {
 
     /// Middles of its arcs, rad, arcs on both sides of 0 taken as one.
     pub fn middles(&self) -> Vec<f64> {
+        self.over_0().iter().map(|[from, to]| (0.5 * (from + to)).rem_euclid(TAU)).collect()
+    }
+
+    /// Its arcs, rad, those on both sides of 0 taken as one, which then begins below 0; all angles
+    /// are from −∞ to ∞.
+    pub fn joined(&self) -> Vec<[f64; 2]> {
+        match self.margin(0.0) == f64::INFINITY {
+            true => vec![[f64::NEG_INFINITY, f64::INFINITY]],
+            false => self.over_0(),
+        }
+    }
+
+    fn over_0(&self) -> Vec<[f64; 2]> {
         let mut arcs = self.0.clone();
         if self.is_over_0()
             && arcs.len() > 1
@@ -153,7 +166,7 @@ impl FreeAngles {
         {
             arcs[0][0] = last[0] - TAU;
         }
-        arcs.iter().map(|[from, to]| (0.5 * (from + to)).rem_euclid(TAU)).collect()
+        arcs
     }
 
     /// Whether 0 is amid free angles.

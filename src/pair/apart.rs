@@ -12,6 +12,8 @@ pub struct Both {
     cones: [Cone; 2],
     /// What tool 2's angle is over tool 1's, rad.
     between_rad: f64,
+    /// Distances of the farthest points of both tools from their ball centres, added up, mm.
+    reach_mm: f64,
 }
 
 /// Room between two tools.
@@ -28,7 +30,9 @@ impl Both {
     /// Tool 1 and tool 2 with the cones of their axes; tool 2's angle is the table's plus
     /// `between_rad`.
     pub fn new(tools: [&Tool; 2], cones: [Cone; 2], between_rad: f64) -> Self {
-        Both { radius_mm: tools.map(|t| t.radius_mm), segments: tools.map(Tool::segments), cones, between_rad }
+        let reach_mm = tools.map(Tool::reach_mm).into_iter().sum();
+        let (radius_mm, segments) = (tools.map(|t| t.radius_mm), tools.map(Tool::segments));
+        Both { radius_mm, segments, cones, between_rad, reach_mm }
     }
 
     /// Both tool axes at an angle of the table, rad.
@@ -36,12 +40,15 @@ impl Both {
         [self.cones[0].tool_axis(theta_rad), self.cones[1].tool_axis(theta_rad + self.between_rad)]
     }
 
-    /// How far both are apart on the straight moves from a place to the next, while the table
-    /// stands still, by planes between them: the one midway between the sides of the blade, those
-    /// square to the line from ball to ball and to the difference of the tool axes, and the mean of
-    /// the first and the last. A plane that lies between them at both ends does so all the way.
-    pub fn apart(&self, places: [&PairPlace; 2], theta_rad: f64) -> Apart {
-        let axes = self.axes(theta_rad);
+    /// How far both are apart on the straight moves from a place to the next, while the table turns
+    /// from one angle to the other, by planes between them: the one midway between the sides of the
+    /// blade, those square to the line from ball to ball and to the difference of the tool axes,
+    /// and the mean of the first and the last. A plane that lies between them at both ends does so
+    /// all the way, but for what points of turning tools leave the chord of their arcs by.
+    pub fn apart(&self, places: [&PairPlace; 2], theta_rad: [f64; 2]) -> Apart {
+        let [axes, next] = theta_rad.map(|theta| self.axes(theta));
+        let turned = theta_rad[1] - theta_rad[0];
+        let off_mm = if turned == 0.0 { 0.0 } else { self.reach_mm * turned * turned / 8.0 };
         let [one, two] = &places[0].contacts;
         let normals = one.normal - two.normal;
         let (balls, leans) = (one.centre - two.centre, axes[0] - axes[1]);
@@ -50,11 +57,11 @@ impl Both {
         let none = Apart { least_mm: f64::NEG_INFINITY, across: Vector::zeros() };
         [normals, balls, leans, mean].into_iter().filter_map(unit).fold(none, |best, across| {
             // Of tool 1 what lies lowest along the direction, of tool 2 what lies highest.
-            let room = |place: &PairPlace| {
+            let room = |place: &PairPlace, axes: &[Vector; 2]| {
                 let least = self.lowest_mm(0, &place.contacts[0].centre, &axes[0], &across);
                 least + self.lowest_mm(1, &place.contacts[1].centre, &axes[1], &-across)
             };
-            let least_mm = room(places[0]).min(room(places[1]));
+            let least_mm = room(places[0], &axes).min(room(places[1], &next)) - off_mm;
             if least_mm > best.least_mm { Apart { least_mm, across } } else { best }
         })
     }
@@ -108,22 +115,25 @@ mod tests {
         let cones = [Cone::about_blade(0.1), Cone::about_blade(0.2)];
         let both = Both::new([&tools[0], &tools[1]], cones, PI);
         let plate = place(3.0, [4.0, 6.0]);
-        let found = both.apart([&plate, &plate], 0.0);
+        let found = both.apart([&plate, &plate], [0.0; 2]);
         assert!((found.least_mm - 3.0).abs() < 1e-12, "{found:?}");
         // Lying down, the shanks are through the plate.
-        assert!(both.apart([&plate, &plate], 0.5 * PI).least_mm < 0.0);
+        assert!(both.apart([&plate, &plate], [0.5 * PI; 2]).least_mm < 0.0);
     }
 
     proptest! {
         /// No two points of the tools' surfaces are nearer than that.
         #[test]
-        fn no_points_are_nearer(theta in -3.2f64..3.2, thickness in 1.0f64..60.0, b1 in -0.3f64..0.3, b2 in -0.3f64..0.3, delta in 2.6f64..3.7) {
+        fn no_points_are_nearer(
+            theta in -3.2f64..3.2, thickness in 1.0f64..60.0, b1 in -0.3f64..0.3, b2 in -0.3f64..0.3, delta in 2.6f64..3.7,
+            turn in prop::sample::select(vec![0.0, 0.02, -0.3, 0.6]), share in 0.0f64..1.0
+        ) {
             let tools = [tool(4.0), tool(6.0)];
             let cones = [Cone::about_blade(b1), Cone::about_blade(b2)];
             let both = Both::new([&tools[0], &tools[1]], cones, delta);
             let place = place(thickness, [4.0, 6.0]);
-            let found = both.apart([&place, &place], theta);
-            let axes = both.axes(theta);
+            let found = both.apart([&place, &place], [theta, theta + turn]);
+            let axes = both.axes(theta + share * turn);
             let points = |k: usize| -> Vec<Point> {
                 let (c, a) = (place.contacts[k].centre, axes[k]);
                 let e = a.cross(&Vector::new(0.3, 0.5, 0.8)).normalize();

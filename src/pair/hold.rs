@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
-use super::FreeAngles;
+use super::{FreeAngles, Turned, TurningRow};
+use crate::artifact::paired::Held;
+use crate::numerics::angle::nearest_turn;
 use crate::parallel;
 
 /// Angles that are looked at lie so far apart, rad.
@@ -19,26 +21,36 @@ pub struct HoldOptions {
     pub margin_rad: f64,
 }
 
-/// A stretch of a row that is cut at one angle of the table.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Held {
-    /// Row, from 0.
-    pub row: usize,
-    /// Places of the stretch.
-    pub places: Range<usize>,
-    /// The angle, rad; the next stretch's is on the turn that is nearest to it.
-    pub theta_rad: f64,
-    /// Room to the ends of what is free at all of the stretch, rad.
-    pub margin_rad: f64,
-    /// Angles that are free at all of the stretch.
-    pub free: FreeAngles,
+/// How the table may turn along rows without one free angle, while both tools cut.
+#[derive(Clone, Copy)]
+pub struct Turning<'a> {
+    /// The way from each place to the next, mm; the table turns as slowly as can be over it.
+    pub way_mm: &'a [f64],
+    /// What it may turn from each place to the next at most, rad.
+    pub most_rad: &'a [f64],
+    /// Whether it may along a row, from 0.
+    pub may: &'a (dyn Fn(usize) -> bool + Sync),
+    /// The angles of posture curves at all places, rad: it then turns by them, wherever it may,
+    /// whether or not it could stand still.
+    pub posture_rad: Option<&'a [f64]>,
+}
+
+/// How the table stands along rows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Planned {
+    /// All stretches, in order.
+    pub held: Vec<Held>,
+    /// Those along which the table turns: their numbers, and the least steepest slope that there
+    /// is, rad/mm.
+    pub least_slopes: Vec<(usize, f64)>,
 }
 
 /// Angles at which the table stands still, for each row one or, where no angle is free all along
 /// it, as few as can be, one for each stretch; a stretch begins at the last place of the one
-/// before. Among them those between which the table turns least in all. `common`: what is free for
-/// both tools at each place; `clear`: whether the tools keep clear of each other at all places of a
-/// stretch, at an angle.
+/// before. With `turning` such rows are stretches along which the table turns instead. Among them
+/// those between which the table turns least in all. `common`: what is free for both tools at each
+/// place; `clear`: whether the tools keep clear of each other at all places of a stretch, at the
+/// angles that it has at places.
 ///
 /// # Errors
 /// A place at which no angle is free and clear, or none that is so to the next place too.
@@ -46,25 +58,102 @@ pub fn hold(
     rows: &[Range<usize>],
     common: &[FreeAngles],
     options: HoldOptions,
-    clear: impl Fn(&Range<usize>, f64) -> bool + Sync,
-) -> Result<Vec<Held>, usize> {
-    let stretches = parallel::try_map(rows.iter().enumerate(), |(row, places)| {
+    turning: Option<Turning>,
+    clear: impl Fn(&Range<usize>, &dyn Fn(usize) -> f64) -> bool + Sync,
+) -> Result<Planned, usize> {
+    let still = |places: &Range<usize>| {
         let mut out = Vec::new();
         for (part, free) in stretches(places, common)? {
             split(part, &free, common, options, &clear, &mut out)?;
         }
-        Ok::<_, usize>(out.into_iter().map(|s| (row, s)).collect::<Vec<_>>())
+        Ok::<_, usize>(out)
+    };
+    let stretches = parallel::try_map(rows.iter().enumerate(), |(row, places)| {
+        let found = still(places);
+        let has_to = found.as_ref().map_or(true, |parts| parts.len() > 1);
+        let turned = turning.filter(|t| (t.may)(row) && (has_to || t.posture_rad.is_some()));
+        let turned = turned.and_then(|t| turns(places, common, options, t, &clear));
+        let parts = turned.map_or(found, Ok)?;
+        Ok::<_, usize>(parts.into_iter().map(|part| (row, part)).collect::<Vec<_>>())
     })?
     .concat();
     Ok(chosen(stretches))
 }
 
-/// A stretch of a row with the angles that it may be cut at, each with its margin, rad.
+/// A stretch of a row.
 #[derive(Clone)]
 struct RowStretch {
     places: Range<usize>,
-    free: FreeAngles,
-    candidates: Vec<[f64; 2]>,
+    along: Along,
+}
+
+/// How the table may stand along a stretch.
+#[derive(Clone)]
+enum Along {
+    /// Still, at one of these angles, each with its margin, rad.
+    Still(Vec<[f64; 2]>),
+    /// At these angles, turning, with their margin, rad, and the least steepest slope, rad/mm.
+    Turning { theta_rad: Vec<f64>, margin_rad: f64, least_slope: f64 },
+}
+
+/// Angles with which a stretch may begin and end, and their margin, rad.
+#[derive(Clone, Copy)]
+struct Candidate {
+    ends: [f64; 2],
+    margin: f64,
+}
+
+impl RowStretch {
+    fn candidates(&self) -> usize {
+        match &self.along {
+            Along::Still(all) => all.len(),
+            Along::Turning { .. } => 1,
+        }
+    }
+
+    fn candidate(&self, k: usize) -> Candidate {
+        match &self.along {
+            Along::Still(all) => Candidate { ends: [all[k][0]; 2], margin: all[k][1] },
+            Along::Turning { theta_rad, margin_rad, .. } => {
+                Candidate { ends: [theta_rad[0], theta_rad[theta_rad.len() - 1]], margin: *margin_rad }
+            }
+        }
+    }
+}
+
+/// A row along which the table turns; `None` where it cannot, or the tools are in each other's way.
+fn turns(
+    places: &Range<usize>,
+    common: &[FreeAngles],
+    options: HoldOptions,
+    turning: Turning,
+    clear: &impl Fn(&Range<usize>, &dyn Fn(usize) -> f64) -> bool,
+) -> Option<Vec<RowStretch>> {
+    let moves = places.start..places.end.saturating_sub(1);
+    let row = TurningRow {
+        common: &common[places.clone()],
+        way_mm: &turning.way_mm[moves.clone()],
+        most_rad: &turning.most_rad[moves],
+        margin_rad: options.margin_rad,
+    };
+    let all = match turning.posture_rad {
+        None => row.turned().ok()?,
+        Some(posture) => {
+            let theta_rad = row.local(&posture[places.clone()])?;
+            let (slope, least_slope) = (f64::NAN, row.least_slope());
+            vec![Turned { places: 0..places.len(), theta_rad, slope, least_slope }]
+        }
+    };
+    let one = |turned: Turned| {
+        let own = places.start + turned.places.start..places.start + turned.places.end;
+        let Turned { theta_rad, least_slope, .. } = turned;
+        let is_clear = theta_rad.len() == own.len() && clear(&own, &|k| theta_rad[k - own.start]);
+        let margins = own.clone().zip(&theta_rad).map(|(k, theta)| common[k].margin(*theta));
+        let margin_rad = margins.fold(f64::INFINITY, f64::min);
+        let along = Along::Turning { theta_rad, margin_rad, least_slope };
+        is_clear.then_some(RowStretch { places: own, along })
+    };
+    all.into_iter().map(one).collect()
 }
 
 /// A row in as few stretches with a common free angle as can be: each goes as far as it can, and
@@ -100,7 +189,7 @@ fn split(
     free: &FreeAngles,
     common: &[FreeAngles],
     options: HoldOptions,
-    clear: &impl Fn(&Range<usize>, f64) -> bool,
+    clear: &impl Fn(&Range<usize>, &dyn Fn(usize) -> f64) -> bool,
     out: &mut Vec<RowStretch>,
 ) -> Result<(), usize> {
     let enough = options.margin_rad.min(0.5 * free.widest());
@@ -108,10 +197,10 @@ fn split(
     let candidates: Vec<[f64; 2]> = grid
         .chain(free.middles())
         .map(|theta| [theta, free.margin(theta)])
-        .filter(|[theta, margin]| *margin >= enough * (1.0 - 1e-9) && *margin >= 0.0 && clear(&places, *theta))
+        .filter(|[theta, margin]| *margin >= enough * (1.0 - 1e-9) && *margin >= 0.0 && clear(&places, &|_| *theta))
         .collect();
     if !candidates.is_empty() {
-        out.push(RowStretch { places, free: free.clone(), candidates });
+        out.push(RowStretch { places, along: Along::Still(candidates) });
         return Ok(());
     }
     if places.len() < 3 {
@@ -126,19 +215,20 @@ fn split(
 }
 
 /// The candidates between which the table turns least, the widest margin among equals.
-fn chosen(stretches: Vec<(usize, RowStretch)>) -> Vec<Held> {
+fn chosen(stretches: Vec<(usize, RowStretch)>) -> Planned {
     let way = |a: f64, b: f64| {
         let d = (b - a).rem_euclid(TAU);
         d.min(TAU - d)
     };
-    let cost_of = |[_, margin]: [f64; 2]| -FOR_MARGIN * margin.min(TAU) / TAU;
+    let cost_of = |here: Candidate| -FOR_MARGIN * here.margin.min(TAU) / TAU;
     // Least cost up to each candidate, and from which one before it.
     let mut layers: Vec<Vec<(f64, usize)>> = Vec::with_capacity(stretches.len());
     for (n, (_, stretch)) in stretches.iter().enumerate() {
-        let layer = stretch.candidates.iter().map(|here| {
-            let own = cost_of(*here);
+        let layer = (0..stretch.candidates()).map(|k| {
+            let here = stretch.candidate(k);
+            let own = cost_of(here);
             let Some(before) = n.checked_sub(1) else { return (own, 0) };
-            let from = |k: usize| layers[before][k].0 + way(stretches[before].1.candidates[k][0], here[0]);
+            let from = |k: usize| layers[before][k].0 + way(stretches[before].1.candidate(k).ends[1], here.ends[0]);
             let best = (0..layers[before].len()).min_by(|a, b| from(*a).total_cmp(&from(*b))).unwrap_or(0);
             (from(best) + own, best)
         });
@@ -152,13 +242,21 @@ fn chosen(stretches: Vec<(usize, RowStretch)>) -> Vec<Held> {
         picked[n] = at;
         at = layers[n][at].1;
     }
-    let mut theta_rad = 0.0;
-    let held = |(n, (row, stretch)): (usize, (usize, RowStretch))| {
-        let [theta, margin_rad] = stretch.candidates[picked[n]];
-        theta_rad = if n == 0 { theta } else { crate::numerics::angle::nearest_turn(theta, theta_rad) };
-        Held { row, places: stretch.places, theta_rad, margin_rad, free: stretch.free }
-    };
-    stretches.into_iter().enumerate().map(held).collect()
+    let mut out = Planned::default();
+    for (n, (row, stretch)) in stretches.into_iter().enumerate() {
+        let Candidate { ends: [first, _], margin: margin_rad } = stretch.candidate(picked[n]);
+        let before = out.held.last().map(|h| h.ends_rad()[1]);
+        let start = before.map_or(first, |before| nearest_turn(first, before));
+        let theta_rad = match stretch.along {
+            Along::Still(_) => vec![start; stretch.places.len()],
+            Along::Turning { theta_rad, least_slope, .. } => {
+                out.least_slopes.push((n, least_slope));
+                theta_rad.into_iter().map(|theta| theta - first + start).collect()
+            }
+        };
+        out.held.push(Held { row, places: stretch.places, theta_rad, margin_rad });
+    }
+    out
 }
 
 #[cfg(test)]
@@ -170,8 +268,12 @@ mod tests {
         FreeAngles::of(arcs.iter().map(|a| a.map(f64::to_radians)))
     }
 
+    fn theta(held: &Held) -> f64 {
+        held.ends_rad()[0]
+    }
+
     fn held(rows: &[Range<usize>], common: &[FreeAngles]) -> Vec<Held> {
-        hold(rows, common, HoldOptions { margin_rad: 0.0 }, |_, _| true).unwrap()
+        hold(rows, common, HoldOptions { margin_rad: 0.0 }, None, |_, _| true).unwrap().held
     }
 
     #[test]
@@ -181,9 +283,9 @@ mod tests {
         // The first arc narrows to 59 to 90 degrees.
         let found = held(&[0..20, 20..40, 40..60], &common);
         assert_eq!(found.len(), 3);
-        assert!(found.windows(2).all(|w| w[0].theta_rad == w[1].theta_rad), "{found:?}");
+        assert!(found.windows(2).all(|w| w[0].ends_rad() == w[1].ends_rad()), "{found:?}");
         for h in &found {
-            assert!(h.places.clone().all(|k| common[k].margin(h.theta_rad) >= h.margin_rad - 1e-12));
+            assert!(h.places.clone().all(|k| common[k].margin(h.theta_at(k)) >= h.margin_rad - 1e-12));
         }
     }
 
@@ -195,7 +297,7 @@ mod tests {
         let found = held(std::slice::from_ref(&(0..60)), &common);
         assert_eq!(found.iter().map(|h| h.places.clone()).collect::<Vec<_>>(), [0..26, 25..51, 50..60]);
         // Nothing turns farther than it must: from 50 over 100 to 118 degrees.
-        let turned: f64 = found.windows(2).map(|w| (w[1].theta_rad - w[0].theta_rad).abs()).sum();
+        let turned: f64 = found.windows(2).map(|w| (theta(&w[1]) - theta(&w[0])).abs()).sum();
         assert!((turned.to_degrees() - 68.0).abs() < 1e-9, "{}", turned.to_degrees());
     }
 
@@ -203,7 +305,7 @@ mod tests {
     fn the_way_over_0_is_the_short_one() {
         let arcs = [[350.0, 352.0], [8.0, 10.0], [20.0, 22.0]].map(|arc| deg(&[arc]));
         let found = held(&[0..1, 1..2, 2..3], &arcs);
-        let turned = (found[2].theta_rad - found[0].theta_rad).to_degrees();
+        let turned = (theta(&found[2]) - theta(&found[0])).to_degrees();
         assert!((28.0 - 1e-9..=32.0).contains(&turned), "{turned}");
     }
 
@@ -212,33 +314,38 @@ mod tests {
         let common = vec![deg(&[[10.0, 50.0]]); 8];
         let options = HoldOptions { margin_rad: 0.0 };
         // Clear from 40 degrees on.
-        let found = hold(std::slice::from_ref(&(0..8)), &common, options, |_, theta| theta > 0.69).unwrap();
-        assert!(found.len() == 1 && found[0].theta_rad > 0.69, "{found:?}");
+        let found =
+            hold(std::slice::from_ref(&(0..8)), &common, options, None, |_, theta| theta(0) > 0.69).unwrap().held;
+        assert!(found.len() == 1 && theta(&found[0]) > 0.69, "{found:?}");
         // Before place 4 less than 20 degrees is asked for, behind it more than 30.
-        let clear = |places: &Range<usize>, theta: f64| {
+        let clear = |places: &Range<usize>, at: &dyn Fn(usize) -> f64| {
+            let theta = at(places.start);
             places.clone().all(|k| match k.cmp(&4) {
                 std::cmp::Ordering::Less => theta < 0.34,
                 std::cmp::Ordering::Equal => true,
                 std::cmp::Ordering::Greater => theta > 0.53,
             })
         };
-        let found = hold(std::slice::from_ref(&(0..8)), &common, options, clear).unwrap();
+        let found = hold(std::slice::from_ref(&(0..8)), &common, options, None, clear).unwrap().held;
         assert_eq!(found.iter().map(|h| h.places.clone()).collect::<Vec<_>>(), [0..5, 4..8]);
-        assert_eq!(hold(std::slice::from_ref(&(0..8)), &common, options, |p, _| !p.contains(&6)), Err(5));
+        assert_eq!(hold(std::slice::from_ref(&(0..8)), &common, options, None, |p, _| !p.contains(&6)), Err(5));
     }
 
     #[test]
     fn a_place_without_an_angle_is_named() {
         let common = [deg(&[[10.0, 50.0]]), FreeAngles::default(), deg(&[[10.0, 50.0]])];
-        assert_eq!(hold(std::slice::from_ref(&(0..3)), &common, HoldOptions { margin_rad: 0.0 }, |_, _| true), Err(1));
+        assert_eq!(
+            hold(std::slice::from_ref(&(0..3)), &common, HoldOptions { margin_rad: 0.0 }, None, |_, _| true),
+            Err(1)
+        );
     }
 
     #[test]
     fn margins_are_kept_where_there_is_room_for_them() {
         let common = vec![deg(&[[10.0, 50.0]]), deg(&[[48.0, 80.0]])];
         let options = HoldOptions { margin_rad: 5f64.to_radians() };
-        let found = hold(&[0..1, 1..2], &common, options, |_, _| true).unwrap();
+        let found = hold(&[0..1, 1..2], &common, options, None, |_, _| true).unwrap().held;
         assert!(found.iter().all(|h| h.margin_rad >= options.margin_rad * (1.0 - 1e-9)), "{found:?}");
-        assert!((found[1].theta_rad - found[0].theta_rad).to_degrees() < 8.0 + 1e-9, "45 to 53 degrees");
+        assert!((theta(&found[1]) - theta(&found[0])).to_degrees() < 8.0 + 1e-9, "45 to 53 degrees");
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! **In**: free angles of both tools at the places of rows that both run in lock step
 //! ([`crate::artifact::PairedRows`]). **Out**: the angles that are free for both ([`FreeAngles`]),
-//! and for each row an angle of the table at which it stands still while both tools cut ([`hold`]).
+//! and for each row an angle of the table at which it stands still while both tools cut ([`hold`])
+//! or, where it has none, angles that change as slowly as can be ([`TurningRow`]).
 //!
 //! The workpiece turns for both tools at once. With `a(B, θ)` the axis on a cone about the blade
 //! axis, tool 1 stands at `a(B₁, θ)` and tool 2 at `a(B₂, θ + δ)`, where δ is a constant of the
@@ -16,14 +17,18 @@
 mod angles;
 mod apart;
 mod hold;
+mod posture;
 mod settings;
 mod share;
+mod turn;
 
 pub use angles::FreeAngles;
 pub use apart::{Apart, Both};
-pub use hold::{Held, HoldOptions, hold};
-pub use settings::{PinchEdges, PinchKeys, PinchSettings};
+pub use hold::{HoldOptions, Planned, Turning, hold};
+pub use posture::posture;
+pub use settings::{PinchEdges, PinchKeys, PinchOrientation, PinchSettings};
 pub use share::{HOLDS_DEG, Share, share};
+pub use turn::{NEAR, Turned, TurningRow};
 
 #[cfg(test)]
 mod tests {

@@ -16,6 +16,23 @@ pub enum PinchEdges {
     Both,
 }
 
+/// How the table stands along rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PinchOrientation {
+    /// It stands still. A row without one free angle is cut in as few stretches as can be, with the
+    /// tools off the part while the table turns.
+    Hold,
+    /// Along a row without one free angle it turns while both tools cut: as slowly as can be.
+    Smooth,
+    /// Each row without one free angle as one of both: what takes less time.
+    Time,
+    /// Along every row it turns as published: the tool posture curve through the angles that a
+    /// fixed angle to tool 1's normal gives (`schedule.lead_deg`), and least squares where that is
+    /// not free. To compare with.
+    Paper,
+}
+
 section! {
     /// `[pinch]`: two tools that hold the blade between them, on both sides at the same time.
     "pinch" PinchSettings, PinchKeys, s {
@@ -25,6 +42,8 @@ section! {
         heights_mm: [f64; 2] as Option<[f64; 2]> = None;
         /// Rows round the edges: none, or of both tools, each round one edge.
         edges: PinchEdges = PinchEdges::None;
+        /// How the table stands along rows: still, or turning where it has to.
+        orientation: PinchOrientation = PinchOrientation::Hold;
         /// What the normals at both contacts may lack of being opposite, degrees.
         ///
         /// Equal forces then leave at most two thirds of one of them, along the blade's stiff

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use super::{Loaded, look};
-use crate::artifact::paired::{PairPlace, PinchMotion};
+use crate::artifact::paired::{Held, PairPlace, PinchMotion};
 use crate::artifact::region::Area;
 use crate::artifact::report::Check;
 use crate::artifact::{PairedRows, Stand};
@@ -12,7 +12,7 @@ use crate::error::Result;
 use crate::geometry::Point;
 use crate::observe::Warning;
 use crate::plan::Setup;
-use crate::plan::pinch::{Pinch, PinchPosted, PinchProgrammed};
+use crate::plan::pinch::{Pinch, PinchPosted, PinchProgrammed, PublishedFigures};
 use crate::verify::PinchFigures;
 use crate::write::draw::{HeldAngles, held_svg};
 use crate::write::preview::report::pinch::{PinchReport, PinchStretch};
@@ -23,6 +23,8 @@ use crate::write::preview::{self, PinchKey, PinchScene};
 const MOST_KEYS: usize = 6000;
 /// Keys of the report's 3-D view, about.
 const REPORT_KEYS: usize = 20_000;
+/// Points of a row in the plot along which the table turns, about.
+const TURNING_POINTS: usize = 20;
 /// A way down, up or across takes so long in the animation, s.
 const LINK_S: f64 = 1.0;
 
@@ -45,7 +47,7 @@ pub struct PinchSummary {
     pub closed: f64,
     /// Those along which the table does not turn.
     pub still_rows: usize,
-    /// Stretches that are cut at one angle of the table each.
+    /// Stretches that are cut in one motion each.
     pub stretches: usize,
     /// Places of both tools.
     pub places: usize,
@@ -67,6 +69,14 @@ pub struct PinchSummary {
     pub narrowest_own_deg: [f64; 2],
     /// What the table turns from stretch to stretch, in all.
     pub turned_deg: f64,
+    /// What it turns while both tools cut, to and fro, in all.
+    pub turned_cutting_deg: f64,
+    /// Where it turns along rows, no angles let both tools' axes turn by less per mm of their
+    /// contacts' way at the steepest place, rad/mm: `measured.turning_rad_mm` says what they do.
+    pub least_turning_rad_mm: f64,
+    /// What the published smoothing of the tool axes comes to, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub published: Option<PublishedFigures>,
     /// What the checks measured.
     pub measured: PinchFigures,
     /// The checks.
@@ -112,7 +122,7 @@ pub struct PostedSummary {
 pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed>) -> PinchSummary {
     let (narrowest, narrowest_place) = pinch.narrowest().unwrap_or_default();
     let own = |k: usize| pinch.own[k].iter().map(|f| f.widest()).fold(f64::INFINITY, f64::min);
-    let turned: f64 = pinch.held.windows(2).map(|w| (w[1].theta_rad - w[0].theta_rad).abs()).sum();
+    let turned: f64 = pinch.held.windows(2).map(|w| (w[1].ends_rad()[0] - w[0].ends_rad()[1]).abs()).sum();
     let area = airfoil_mm2(setup, [f64::NEG_INFINITY, f64::INFINITY]);
     PinchSummary {
         name: setup.blade.name.clone(),
@@ -133,6 +143,9 @@ pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed
         narrowest_place,
         narrowest_own_deg: [own(0).to_degrees(), own(1).to_degrees()],
         turned_deg: turned.to_degrees(),
+        turned_cutting_deg: pinch.held.iter().map(Held::turned_rad).sum::<f64>().to_degrees(),
+        least_turning_rad_mm: pinch.least_slope,
+        published: pinch.published.clone(),
         measured: pinch.figures.clone(),
         checks: pinch.checks.clone(),
         program: programmed.map(|p| program(setup, pinch, p)),
@@ -288,7 +301,7 @@ fn pairs(setup: &Setup, pinch: &Pinch) -> String {
             }
         }
         let m = to_model * place.held_centre;
-        let [from, to] = pinch.common[k].around(held.theta_rad);
+        let [from, to] = pinch.common[k].around(held.theta_at(k));
         let _ = writeln!(
             out,
             ",{},{},{},{},{},{},{},{},{},{},{},{}",
@@ -298,7 +311,7 @@ fn pairs(setup: &Setup, pinch: &Pinch) -> String {
             place.held_radius_mm,
             place.angle_rad.to_degrees(),
             place.apart_mm,
-            held.theta_rad.to_degrees(),
+            held.theta_at(k).to_degrees(),
             pinch.own[0][k].widest().to_degrees(),
             pinch.own[1][k].widest().to_degrees(),
             pinch.common[k].widest().to_degrees(),
@@ -323,8 +336,8 @@ fn locations(setup: &Setup, pinch: &Pinch, tool: usize) -> String {
     let to_model = &setup.blade.model_from_blade;
     for (k, l) in path.locations.iter().enumerate() {
         let Some(held) = pinch.held_at(k) else { continue };
-        let theta = held.theta_rad + over;
-        let [from, to] = pinch.common[k].around(held.theta_rad).map(|v| v + over);
+        let theta = held.theta_at(k) + over;
+        let [from, to] = pinch.common[k].around(held.theta_at(k)).map(|v| v + over);
         let _ = write!(out, "{},{},{}", l.turn, l.turn_s_mm, l.s_mm);
         let axis = to_model * cone.tool_axis(theta);
         for v in [(to_model * l.centre).coords, (to_model * l.contact).coords, to_model * l.normal, axis] {
@@ -354,7 +367,7 @@ fn keys(setup: &Setup, pinch: &Pinch, motion: Option<&PinchMotion>, most: usize)
         let own = motion.and_then(|m| m.stretches.get(stretch));
         let stand = |k: usize, lifts_mm: [f64; 2]| {
             [0, 1].map(|j| {
-                let theta = held.theta_rad + if j == 0 { 0.0 } else { pinch.between_rad };
+                let theta = held.theta_at(k) + if j == 0 { 0.0 } else { pinch.between_rad };
                 let centre = pinch.rows.places[k].contacts[j].centre;
                 Stand { centre, cone: cones[j], theta }.lifted(lifts_mm[j])
             })
@@ -447,7 +460,7 @@ fn stretches(pinch: &Pinch) -> Vec<PinchStretch> {
     let all = pinch.held.iter().map(|held| PinchStretch {
         row: held.row,
         places: held.places.clone(),
-        held_rad: held.theta_rad,
+        theta_rad: held.theta_rad.clone(),
         free_rad: pinch.free_about(held),
     });
     all.collect()
@@ -460,14 +473,20 @@ fn way_mm(places: &[PairPlace]) -> f64 {
 
 /// What of the table's turn is free along the rows, and where it stands: SVG.
 pub fn plot(setup: &Setup, pinch: &Pinch) -> String {
-    let rows: Vec<HeldAngles> = pinch
-        .held
-        .iter()
-        .map(|h| HeldAngles {
-            row: h.row,
-            held_deg: h.theta_rad.to_degrees(),
-            common_deg: h.free.around(h.theta_rad).map(f64::to_degrees),
-        })
-        .collect();
+    let of = |h: &Held| {
+        let at = |share: f64, places: Range<usize>| {
+            let theta = h.theta_at(places.start);
+            let common_deg = pinch.free_all_along(places, theta).map(f64::to_degrees);
+            HeldAngles { row: h.row as f64 + share, held_deg: theta.to_degrees(), common_deg }
+        };
+        if h.is_still() {
+            return vec![at(0.0, h.places.clone())];
+        }
+        // Where it turns, place by place, over most of the room that the row has.
+        let every = h.places.len().div_ceil(TURNING_POINTS);
+        let share = |k: usize| 0.8 * ((k - h.places.start) as f64 / h.places.len() as f64 - 0.5);
+        h.places.clone().step_by(every).map(|k| at(share(k), k..k + 1)).collect()
+    };
+    let rows: Vec<HeldAngles> = pinch.held.iter().flat_map(of).collect();
     held_svg(&setup.blade.name, &rows)
 }

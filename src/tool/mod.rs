@@ -242,6 +242,12 @@ impl Tool {
         [cutter, holder]
     }
 
+    /// The greatest distance of any point of the tool from the centre of ball or disc, mm.
+    pub fn reach_mm(&self) -> f64 {
+        let ends = self.segments().into_iter().flat_map(|s| [s.z0.hypot(s.r0), s.z1.hypot(s.r1)]);
+        ends.fold(self.disc_radius_mm() + self.corner_mm(), f64::max)
+    }
+
     /// Length from the centre of ball or disc to the end of the last holder stage, mm.
     pub fn length_mm(&self) -> f64 {
         self.stickout_mm + self.holder.iter().map(|h| h.length_mm).sum::<f64>()

@@ -81,7 +81,7 @@ pub use curve::short_on_curve;
 pub use deviation::deviation;
 pub use limit::limit;
 pub use options::{Asked, VerifyOptions};
-pub use pinch::{PinchFigures, PinchWork, check as check_pinch};
+pub use pinch::{PinchFigures, PinchWork, check as check_pinch, turning_rad_mm};
 pub use pinch_program::{PinchAsked, check_pinch_motion, check_pinch_program};
 pub use restart::restart;
 pub use ridge::{RidgeAt, ridges, ridges_p99};

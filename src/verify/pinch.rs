@@ -2,15 +2,14 @@
 //!
 //! Each tool by itself: the swept ball in the part, ridges from row to row and where rows round the
 //! edges meet the other tool's, the rest of the tool to the part, over the straight moves of each
-//! stretch, while the table stands still. Both together: whether their normals face each other, by
-//! the part's own normals under both ball centres, and how far the tools are apart.
+//! stretch, while the table stands still or turns evenly. Both together: whether their normals face
+//! each other, by the part's own normals under both ball centres, and how far the tools are apart.
 //!
 //! The least distance of two tools is taken piece by piece, ball and frusta. Each piece is convex:
 //! parry's search for the nearest points of two convex bodies gives a direction, and the pieces'
 //! own extents along it bound their distance from below, whatever the search has found. Between two
-//! places they go straight and evenly, so a direction bounds it there too.
-
-use std::ops::Range;
+//! places they go straight and evenly, so a direction bounds it there too; where the table turns,
+//! points leave the chords of their arcs by what is taken off.
 
 use parry3d_f64::math::{Pose, Vector as ParryVector};
 use parry3d_f64::query::gjk::{self, CsoPoint, GJKResult, VoronoiSimplex};
@@ -23,6 +22,7 @@ use super::height::{Height, REACH_SLACK, percentile, sort};
 use super::options::VerifyOptions;
 use super::ridge::{Ridges, apart_mm};
 use super::sweep::Sweep;
+use crate::artifact::paired::Held;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Cone, Obstacle, PairedRows, Stand};
 use crate::geometry::allowance::Allowed;
@@ -48,9 +48,8 @@ pub struct PinchWork<'a> {
     pub between_rad: f64,
     /// The rows.
     pub rows: &'a PairedRows,
-    /// Stretches that are cut at one angle of the table each, rad; a stretch begins at the last
-    /// place of the one before where it is of the same row.
-    pub held: &'a [(Range<usize>, f64)],
+    /// Stretches with the angles of the table.
+    pub held: &'a [Held],
     /// Room that the tools keep from each other, mm.
     pub tools_apart_mm: f64,
     /// Greatest distance of the two normal lines, mm.
@@ -76,6 +75,9 @@ pub struct PinchFigures {
     pub angle_deg: [f64; 3],
     /// The tools are nowhere nearer to each other.
     pub tools_apart_mm: f64,
+    /// What the axis of each tool turns by per mm of its contact's way at most, rad/mm; 0 where the
+    /// table stands still all along.
+    pub turning_rad_mm: [f64; 2],
 }
 
 /// Judges rows of two tools.
@@ -84,7 +86,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
     let mut figures = PinchFigures::default();
     // Every place at the angles of its stretches, stretch by stretch, for either tool.
     let order: Vec<(usize, usize)> =
-        work.held.iter().enumerate().flat_map(|(n, (places, _))| places.clone().map(move |k| (n, k))).collect();
+        work.held.iter().enumerate().flat_map(|(n, h)| h.places.clone().map(move |k| (n, k))).collect();
     let cuts: Vec<bool> = order.windows(2).map(|w| w[0].0 == w[1].0).collect();
     checks.push(covered(work));
     if order.len() < 2 {
@@ -123,7 +125,11 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
             .iter()
             .map(|(n, k)| {
                 let over = if tool == 0 { 0.0 } else { work.between_rad };
-                Stand { centre: contact(tool, *k).centre, cone: work.cones[tool], theta: work.held[*n].1 + over }
+                Stand {
+                    centre: contact(tool, *k).centre,
+                    cone: work.cones[tool],
+                    theta: work.held[*n].theta_at(*k) + over,
+                }
             })
             .collect();
         let track = Track { stands: &stands, wanted: Some(&cuts) };
@@ -136,6 +142,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
     let (check, opposition) = opposed(work);
     checks.extend(check);
     (figures.line_distance_mm, figures.angle_deg) = opposition;
+    figures.turning_rad_mm = turning_rad_mm(work);
     let (check, least_mm) = tools_apart(work, &order, &cuts);
     figures.tools_apart_mm = least_mm;
     checks.push(check);
@@ -145,7 +152,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
 /// Every move of every row is cut by some stretch.
 fn covered(work: &PinchWork) -> Check {
     let mut cut = vec![false; work.rows.places.len()];
-    for (places, _) in work.held {
+    for Held { places, .. } in work.held {
         for k in places.start..places.end.saturating_sub(1) {
             if let Some(cut) = cut.get_mut(k) {
                 *cut = true;
@@ -306,12 +313,29 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
     (vec![line, angle], (lines, angles))
 }
 
+/// What the axis of each tool turns by from place to place, over the way of its contact: the
+/// greatest, rad/mm. Where a contact stands, that of its ball counts.
+pub fn turning_rad_mm(work: &PinchWork) -> [f64; 2] {
+    [0, 1].map(|j| {
+        let axis =
+            |h: &Held, k: usize| work.cones[j].tool_axis(h.theta_at(k) + if j == 0 { 0.0 } else { work.between_rad });
+        let of = |h: &Held, k: usize| {
+            let turned = (axis(h, k + 1) - axis(h, k)).norm();
+            let [a, b] = [k, k + 1].map(|k| work.rows.places[k].contacts[j]);
+            let [way, over] = [(b.contact - a.contact).norm(), (b.centre - a.centre).norm()];
+            if turned == 0.0 { 0.0 } else { turned / if way > 0.0 { way } else { over } }
+        };
+        let moves = |h: &Held| (h.places.start..h.places.end - 1).map(|k| of(h, k)).fold(0.0, f64::max);
+        work.held.iter().filter(|h| !h.places.is_empty()).map(moves).fold(0.0, f64::max)
+    })
+}
+
 /// How near the tools come to each other, over all stretches, mm.
 fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Check, f64) {
     let segments = work.tools.map(Tool::segments);
     let stand = |i: usize| {
         let (n, k) = order[i];
-        let theta = work.held[n].1;
+        let theta = work.held[n].theta_at(k);
         let thetas = [theta, theta + work.between_rad];
         [0, 1].map(|j| {
             let axis = work.cones[j].tool_axis(thetas[j]);
@@ -321,17 +345,25 @@ fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Ch
     let one = |i: &usize| {
         let here = stand(*i);
         let next = if cuts.get(*i) == Some(&true) { stand(*i + 1) } else { stand(*i) };
+        let turned = match cuts.get(*i) {
+            Some(true) => [*i + 1, *i].map(|i| work.held[order[i].0].theta_at(order[i].1)),
+            _ => [0.0; 2],
+        };
+        let turned = turned[1] - turned[0];
+        // A point at a distance r from a ball centre leaves the chord of its arc by r (1 − cos φ/2)
+        // at most.
+        let off_mm: f64 = work.tools.iter().map(|t| t.reach_mm() * (1.0 - (0.5 * turned).cos())).sum();
         let mut least = f64::INFINITY;
         for (a, a_next) in here[0].iter().zip(&next[0]) {
             for (b, b_next) in here[1].iter().zip(&next[1]) {
                 // A direction along which the pieces are apart at both ends of a move shows so much
-                // all the way, since both go straight and evenly.
+                // all the way, but for arcs, since both go straight and evenly.
                 let along = [a.towards(b), a_next.towards(b_next), a.between(b)].into_iter().flatten();
                 let apart = along.map(|d| a.gap_mm(b, &d).min(a_next.gap_mm(b_next, &d)));
                 least = least.min(apart.fold(f64::NEG_INFINITY, f64::max));
             }
         }
-        (least, order[*i].1)
+        (least - off_mm, order[*i].1)
     };
     let rows: Vec<usize> = (0..order.len()).collect();
     let all: Vec<(f64, usize)> = parallel::map(&rows, one);

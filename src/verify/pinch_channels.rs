@@ -208,12 +208,13 @@ pub(super) fn rendezvous(
     stretches: &[Range<usize>],
 ) -> Check {
     let (mut worst_mm, mut at) = (0.0, String::new());
-    for (s, (places, theta)) in stretches.iter().zip(work.held) {
+    for (s, held) in stretches.iter().zip(work.held) {
+        let places = &held.places;
         let ends = [(s.start.checked_sub(1), places.start), (Some(s.end), places.end.saturating_sub(1))];
         for (line, place) in ends {
             let pose = line.and_then(|i| poses.get(i)?.as_ref());
             for j in 0..2 {
-                let axis = work.cones[j].tool_axis(theta + if j == 0 { 0.0 } else { work.between_rad });
+                let axis = work.cones[j].tool_axis(held.theta_at(place) + if j == 0 { 0.0 } else { work.between_rad });
                 let foot = work.rows.places[place].contacts[j].centre;
                 let off_mm = pose.map_or(f64::INFINITY, |p| {
                     let way = p[j].centre - foot;
@@ -241,7 +242,7 @@ pub(super) fn lagging(work: &PinchWork, poses: &[Option<[Pose; 2]>], stretches: 
             let stand = |p: &[Pose; 2]| solids(&segments[j], work.tools[j].radius_mm, &p[j].centre, &p[j].axis);
             known.iter().flatten().map(stand).collect()
         };
-        let theta = work.held.get(*n).map_or(0.0, |h| h.1);
+        let theta = work.held.get(*n).map_or(0.0, |h| h.ends_rad()[0]);
         let out = Vector::new(0.0, theta.cos(), theta.sin());
         let ways = Ways { tools: [of(0), of(1)], out, asked_mm: work.tools_apart_mm };
         (ways.apart_mm(), *n)

@@ -28,6 +28,8 @@ pub(super) const CENTRE_MM: f64 = 0.001;
 const AXIS_DEG: f64 = 0.001;
 /// A line that brings both balls this near to a place is that place's, mm.
 const MEANT_MM: f64 = 0.05;
+/// Balls within lines may leave the straight way by this at least, mm: what four decimals round.
+const ROUNDED_MM: f64 = 1e-4;
 /// The times of lines may add up to so much more or less, as a share.
 const TIME_SHARE: f64 = 1e-4;
 /// Derivatives of an axis may be over their limits by so much, as a share.
@@ -91,6 +93,7 @@ pub fn check_pinch_program(
         .collect();
     let found = matched(work, &lines, &poses);
     checks.extend(found.checks(&lines, asked.cutting_s));
+    checks.push(within_lines(work, machine, &lines, &poses, &found));
     checks.push(rapids(work, &lines, &poses, turning_mm(work, machine)));
     checks.push(travels(&lines, machine));
     checks.extend(ways(work, &poses, &found, options));
@@ -163,7 +166,8 @@ fn matched(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>]) -> Mat
         (0..2).all(|j| (poses[j].centre - work.rows.places[k].contacts[j].centre).norm() <= MEANT_MM)
     };
     let mut next = 0;
-    for (n, (places, theta)) in work.held.iter().enumerate() {
+    for (n, held) in work.held.iter().enumerate() {
+        let places = &held.places;
         let from = (next..lines.len())
             .find(|i| !lines[*i].is_rapid && poses[*i].as_ref().is_some_and(|p| is_at(places.start, p)));
         let Some(from) = from else {
@@ -187,7 +191,7 @@ fn matched(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>]) -> Mat
             for j in 0..2 {
                 let off = (there[j].centre - work.rows.places[k].contacts[j].centre).norm();
                 let over = if j == 0 { 0.0 } else { work.between_rad };
-                let axis = work.cones[j].tool_axis(theta + over);
+                let axis = work.cones[j].tool_axis(held.theta_at(k) + over);
                 let turned = 2.0 * (0.5 * (there[j].axis - axis).norm()).min(1.0).asin().to_degrees();
                 if off > out.centre_mm.0 {
                     out.centre_mm = (off, i);
@@ -261,6 +265,45 @@ impl Matched {
             ),
         ]
     }
+}
+
+/// How far balls leave the straight line from place to place, where axes go straight: at the middle
+/// of each line that cuts.
+fn within_lines(
+    work: &PinchWork,
+    machine: &Machine,
+    lines: &[Line],
+    poses: &[Option<[Pose; 2]>],
+    found: &Matched,
+) -> Check {
+    let (mut worst_mm, mut at) = (0.0, 0);
+    let gauges = work.tools.map(Tool::length_mm);
+    for i in found.stretches.iter().flat_map(|s| s.start + 1..s.end) {
+        let axes = machine.axes();
+        let middle = |(k, (a, b)): (usize, (&f64, &f64))| {
+            0.5 * (a + if axes[k].is_rotary() { nearest_turn(*b, *a) } else { *b })
+        };
+        let middle: Vec<f64> = lines[i - 1].at.iter().zip(lines[i].at.iter()).enumerate().map(middle).collect();
+        for j in 0..2 {
+            let ends = [i - 1, i].map(|i| poses[i].map(|p| p[j].centre));
+            let [Some(a), Some(b)] = ends else { continue };
+            let there = machine.forward_of(j, &middle, gauges[j]);
+            let off_mm = there.map_or(f64::INFINITY, |p| (p.centre - nalgebra::center(&a, &b)).norm());
+            if !(off_mm <= worst_mm) {
+                (worst_mm, at) = (off_mm, i);
+            }
+        }
+    }
+    let named = lines.get(at).map_or_else(String::new, Line::named);
+    let limit_mm = work.rows.chord_mm.max(ROUNDED_MM);
+    Check::at_most(
+        CheckId::ProgramChord,
+        "ball centres within a line off the straight way",
+        worst_mm,
+        limit_mm,
+        "mm",
+        named,
+    )
 }
 
 /// How far a tool stays over the blade axis on its own side, mm: of all its points the lowest along

@@ -14,6 +14,8 @@ export function draw(shown) {
   const x = joined(shown, 's', t => begins(t) - begins(first));
   const curve = field => joined(shown, field, () => 0);
   const even = of => Float64Array.from(shown.flatMap(t => new Array(list(turns[t].s).length).fill(of(t))));
+  // Where the table turns along a row there is an angle for each piece.
+  const stands = t => (typeof t.held === 'number' ? new Array(list(t.s).length).fill(t.held) : [...list(t.held)]);
   const from = id => `rows ${id}`;
   const along = (id, y, series, more) => plot(`chart-${id}`, {
     x: 'S along the rows, mm', y, series, ...more,
@@ -25,7 +27,7 @@ export function draw(shown) {
     ...walls('free for both', 2, { colour: 'c3', width: 5 }),
     ...walls('free for tool 1', 0, { colour: 'c1', width: 2 }),
     ...walls('free for tool 2', 1, { colour: 'c2', width: 2, dash: 'dash' }),
-    { name: 'table stands', x, y: even(t => turns[t].held), colour: 'c0', width: 2.5 },
+    { name: 'table stands', x, y: Float64Array.from(shown.flatMap(t => stands(turns[t]))), colour: 'c0', width: 2.5 },
   ], { bands: [['21', '20', 'c3']] });
   const limited = (id, y, field, name, limit) => along(id, y, [
     { name, x, y: curve(field), colour: 'c1', width: 2 },

@@ -4,7 +4,7 @@ use super::{Setup, narrowest, still_rows};
 use crate::artifact::{Cone, PairedRows};
 use crate::error::{ErrorKind, Result, Stage};
 use crate::observe::{Observer, timed};
-use crate::pair::FreeAngles;
+use crate::pair::{FreeAngles, PinchOrientation};
 use crate::parallel;
 
 /// Places of the rows that leans are looked at for, about.
@@ -70,13 +70,13 @@ impl Setup {
         };
         let (first, second) = timed(observer, Stage::Channel, || Ok((each(0)?, each(1)?)))?;
         let now = timed(observer, Stage::Channel, || {
-            self.lean_pair(&rows, own_deg, [&free(0, own_deg[0])?, &free(1, own_deg[1])?])
+            self.lean_pair(&rows, own_deg, [&free(0, own_deg[0])?, &free(1, own_deg[1])?], observer)
         })?;
         let pairs: Vec<_> = first.iter().flat_map(|a| second.iter().map(move |b| (a, b))).collect();
         let looked = timed(observer, Stage::Schedule, || {
             parallel::try_map(&pairs, |(a, b)| {
                 observer.check(Stage::Schedule)?;
-                self.lean_pair(&rows, [a.0, b.0], [&a.1, &b.1])
+                self.lean_pair(&rows, [a.0, b.0], [&a.1, &b.1], observer)
             })
         })?;
         let mut open: Vec<LeanPair> = looked.into_iter().flatten().collect();
@@ -91,11 +91,17 @@ impl Setup {
     }
 
     /// What a pair of leans lets both tools do; `None` where it opens no row.
-    fn lean_pair(&self, rows: &PairedRows, b_deg: [f64; 2], free: [&[FreeAngles]; 2]) -> Result<Option<LeanPair>> {
+    fn lean_pair(
+        &self,
+        rows: &PairedRows,
+        b_deg: [f64; 2],
+        free: [&[FreeAngles]; 2],
+        observer: &dyn Observer,
+    ) -> Result<Option<LeanPair>> {
         let cones = b_deg.map(|deg| Cone::about_blade(deg.to_radians()));
-        let shared = self
-            .between_heads(&self.pinch_settings(), cones)
-            .and_then(|between_rad| self.shared(rows, free.map(<[_]>::to_vec), (cones, between_rad)));
+        let shared = self.between_heads(&self.pinch_settings(), cones).and_then(|between_rad| {
+            self.shared(rows, free.map(<[_]>::to_vec), (cones, between_rad), PinchOrientation::Hold, observer)
+        });
         let shared = match shared {
             Err(e) if e.kind == ErrorKind::Infeasible => return Ok(None),
             // A lean that a head does not reach.
@@ -107,7 +113,7 @@ impl Setup {
             b_deg,
             open_share: shared.rows.places.len() as f64 / rows.places.len().max(1) as f64,
             rows: shared.rows.rows.len(),
-            still_rows: still_rows(&shared.held),
+            still_rows: still_rows(&shared.planned.held),
             narrowest_deg: least_rad.to_degrees(),
             narrowest_at_mm: shared.rows.places.get(at).map_or(f64::NAN, |p| p.contacts[0].centre.x),
         }))

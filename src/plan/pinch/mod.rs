@@ -1,25 +1,26 @@
 //! Two tools on one blade: rows of opposite places, the table's angles that are free for both, and
-//! one at which it stands still for each row.
+//! one at which it stands still for each row, or angles between which it turns as slowly as can be.
 //!
 //! **In** a [`Setup`]: its tool, and its second where the job has one. **Out** [`Pinch`], judged.
 //! **Method** Rows ([`pairs`]); the free angles of each tool at all their places
 //! ([`channel::intervals`]), tool 2's turned back by the angle between the heads, and what both
-//! have; an angle for each row ([`pair::hold`]); checks that use none of these
-//! ([`verify::check_pinch`]).
+//! have; an angle for each row ([`pair::hold`]), or those along a row that has none; checks that
+//! use none of these ([`verify::check_pinch`]).
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
 use super::Setup;
-use crate::artifact::paired::PinchMotion;
+use crate::artifact::paired::{Held, PairPlace, PinchMotion};
 use crate::artifact::report::Check;
 use crate::artifact::{Cone, Cones, PairedRows, Sweep};
 use crate::channel::{self, ChannelOptions, Surroundings};
 use crate::error::{Error, Infeasible, Result, Stage};
-use crate::numerics::angle::within_half_turn;
+use crate::geometry::Point;
+use crate::numerics::angle::{nearest_turn, within_half_turn};
 use crate::numerics::runs::longest;
 use crate::observe::{Observer, timed};
-use crate::pair::{self, Both, FreeAngles, Held, HoldOptions, PinchEdges, PinchSettings};
+use crate::pair::{self, Both, FreeAngles, HoldOptions, PinchEdges, PinchOrientation, PinchSettings, Planned, Turning};
 use crate::path::pairs::{self, PairOptions};
 use crate::tool::Tool;
 use crate::verify::{self, PinchAsked, PinchFigures, PinchWork};
@@ -28,6 +29,11 @@ use crate::write::post::{self, Dialect};
 
 /// Angles between heads that differ by less are the same, rad.
 const SAME_RAD: f64 = 1e-6;
+/// Normals nearer to the blade axis than this have no azimuth (sine of the angle).
+const ALONG_AXIS: f64 = 1e-6;
+/// Where the table turns, balls may leave the straight line between two places by this share of
+/// the chord tolerance.
+const TURNING_CHORD: f64 = 0.25;
 
 mod advise;
 mod motion;
@@ -45,14 +51,35 @@ pub struct Pinch {
     pub own: [Vec<FreeAngles>; 2],
     /// What is free for both.
     pub common: Vec<FreeAngles>,
-    /// The angles at which the table stands still, in order of the rows.
+    /// The stretches with the angles of the table, in order of the rows.
     pub held: Vec<Held>,
+    /// Where the table turns along rows, no angles are less steep than so many rad/mm in their
+    /// steepest places ([`pair::TurningRow`]); 0 where it turns along none.
+    pub least_slope: f64,
     /// The angle of the second head over the first, rad.
     pub between_rad: f64,
+    /// The published way, where it was asked for.
+    pub published: Option<PublishedFigures>,
     /// What was checked.
     pub checks: Vec<Check>,
     /// What was measured.
     pub figures: PinchFigures,
+}
+
+/// What the published smoothing of both tools' axes comes to. Steepest turning: what the axis of
+/// tool 1 and of tool 2 turns by per mm of its contact's way at most, rad/mm.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct PublishedFigures {
+    /// Steepest turning at the fixed angle to tool 1's normal.
+    pub fixed_rad_mm: [f64; 2],
+    /// Places at which that angle is not free for both tools.
+    pub fixed_outside: usize,
+    /// Steepest turning of the posture curves.
+    pub posture_rad_mm: [f64; 2],
+    /// Places at which their angles are not free for both tools.
+    pub posture_outside: usize,
+    /// Rows along which local smoothing finds no angles: they are cut with the table still.
+    pub rows_without: usize,
 }
 
 /// The motion and the programs of rows of two tools.
@@ -83,22 +110,24 @@ pub struct PinchPosted {
 }
 
 impl Pinch {
-    /// The places of each stretch and the angle that the table stands at, rad.
-    pub fn stretches(&self) -> Vec<(Range<usize>, f64)> {
-        self.held.iter().map(|h| (h.places.clone(), h.theta_rad)).collect()
-    }
-
     /// The stretch in which a place is cut last.
     pub fn held_at(&self, place: usize) -> Option<&Held> {
         let n = self.held.partition_point(|h| h.places.end <= place);
         self.held.get(n).filter(|h| h.places.contains(&place))
     }
 
-    /// What is free for tool 1, for tool 2 and for both about the angle of a stretch, at each of
-    /// its places: `[from, to]` on the turn of that angle, rad.
+    /// What is free for tool 1, for tool 2 and for both about the angles of a stretch, at each of
+    /// its places: `[from, to]` on the turn of the angle there, rad.
     pub fn free_about(&self, held: &Held) -> [Vec<[f64; 2]>; 3] {
-        let around = |free: &FreeAngles| free.around(held.theta_rad);
-        [&self.own[0], &self.own[1], &self.common].map(|of| of[held.places.clone()].iter().map(around).collect())
+        let around = |(free, theta): (&FreeAngles, &f64)| free.around(*theta);
+        [&self.own[0], &self.own[1], &self.common]
+            .map(|of| of[held.places.clone()].iter().zip(&held.theta_rad).map(around).collect())
+    }
+
+    /// The ends of what is free for both at all of some places about an angle, rad.
+    pub fn free_all_along(&self, places: Range<usize>, theta_rad: f64) -> [f64; 2] {
+        let all = self.common[places].iter().fold(FreeAngles::all(), |free, here| free.and(here));
+        all.around(theta_rad)
     }
 
     /// Number of rows along which the table does not turn.
@@ -112,9 +141,9 @@ impl Pinch {
     }
 }
 
-/// Number of rows that are one stretch.
+/// Number of rows that are one stretch with the table still.
 fn still_rows(held: &[Held]) -> usize {
-    held.chunk_by(|a, b| a.row == b.row).filter(|row| row.len() == 1).count()
+    held.chunk_by(|a, b| a.row == b.row).filter(|row| row.len() == 1 && row[0].is_still()).count()
 }
 
 fn narrowest(common: &[FreeAngles]) -> Option<(f64, usize)> {
@@ -149,13 +178,28 @@ impl Setup {
             let free = |tool: usize| self.free_angles(around.of(tool), &rows, (tool, cones[tool]), observer);
             Ok([free(0)?, free(1)?])
         })?;
-        let shared = timed(observer, Stage::Schedule, || self.shared(&rows, own, (cones, between_rad)))?;
-        let Shared { rows, cut_off, own, common, held } = shared;
+        let asked = self.pinch_settings().orientation;
+        let shared =
+            timed(observer, Stage::Schedule, || self.shared(&rows, own, (cones, between_rad), asked, observer))?;
+        let Shared { rows, cut_off, own, common, planned, postures } = shared;
         let (checks, figures) = (Vec::new(), PinchFigures::default());
-        let mut pinch = Pinch { rows, cut_off, own, common, held, between_rad, checks, figures };
-        let stretches = pinch.stretches();
+        let rows_without = rows.rows.len() - planned.least_slopes.len();
+        let least_slope = planned.least_slopes.iter().map(|(_, slope)| *slope).fold(0.0, f64::max);
+        let mut pinch = Pinch {
+            rows,
+            cut_off,
+            own,
+            common,
+            held: planned.held,
+            least_slope,
+            between_rad,
+            published: None,
+            checks,
+            figures,
+        };
+        pinch.published = postures.map(|p| self.published(&pinch, p, rows_without));
         let options = self.verify_options();
-        let work = self.pinch_work(&pinch, &stretches);
+        let work = self.pinch_work(&pinch);
         let (checks, figures) = timed(observer, Stage::Verify, || Ok(verify::check_pinch(&work, &options)))?;
         (pinch.checks, pinch.figures) = (checks, figures);
         Ok(pinch)
@@ -194,6 +238,8 @@ impl Setup {
         rows: &PairedRows,
         [first, second]: [Vec<FreeAngles>; 2],
         (cones, between_rad): ([Cone; 2], f64),
+        orientation: PinchOrientation,
+        observer: &dyn Observer,
     ) -> Result<Shared> {
         let apart_mm = self.pinch_settings().tools_apart_mm;
         let own = [first, second.iter().map(|f| f.turned(-between_rad)).collect()];
@@ -214,14 +260,102 @@ impl Setup {
             |of: &[FreeAngles]| kept.iter().flat_map(|row| of[row.clone()].iter().cloned()).collect::<Vec<_>>();
         let (own, common, rows) = ([chosen(&own[0]), chosen(&own[1])], chosen(&common), rows.only(&kept));
         let cut_off = all - rows.places.len();
-        let clear = |places: &Range<usize>, theta_rad: f64| {
-            let moves = rows.places[places.clone()].windows(2);
-            moves.into_iter().all(|w| both.apart([&w[0], &w[1]], theta_rad).least_mm >= apart_mm)
+        let clear = |places: &Range<usize>, theta_rad: &dyn Fn(usize) -> f64| {
+            let mut moves = places.clone().zip(places.start + 1..places.end);
+            moves.all(|(a, b)| {
+                let (ends, thetas) = ([a, b].map(|k| &rows.places[k]), [a, b].map(theta_rad));
+                both.apart(ends, thetas).least_mm >= apart_mm
+            })
         };
         let hold = HoldOptions { margin_rad: self.job.schedule.margin_deg.to_radians() };
-        let held = pair::hold(&rows.rows, &common, hold, clear).map_err(|k| closed(&rows, &own, &both, k))?;
-        let held = within_turns(held, self.theta_limits());
-        Ok(Shared { rows, cut_off, own, common, held })
+        let moves: Vec<[f64; 2]> = rows.places.windows(2).map(|w| self.turning_over(w, cones)).collect();
+        let [way_mm, most_rad] = [0, 1].map(|k| moves.iter().map(|m| m[k]).collect::<Vec<f64>>());
+        let postures = (orientation == PinchOrientation::Paper).then(|| self.postures(&rows, cones[0]));
+        let posture_rad = postures.as_ref().map(|p| &p.curve_rad[..]);
+        let plan = |may: &(dyn Fn(usize) -> bool + Sync)| {
+            let turning = Turning { way_mm: &way_mm, most_rad: &most_rad, may, posture_rad };
+            let mut planned = pair::hold(&rows.rows, &common, hold, Some(turning), clear)
+                .map_err(|k| closed(&rows, &own, &both, k))?;
+            planned.held = within_turns(planned.held, self.theta_limits());
+            Ok(planned)
+        };
+        let planned = match orientation {
+            PinchOrientation::Hold => plan(&|_| false)?,
+            PinchOrientation::Smooth | PinchOrientation::Paper => plan(&|_| true)?,
+            PinchOrientation::Time => {
+                let quicker =
+                    motion::quicker_turning(self, &rows, between_rad, [plan(&|_| false), plan(&|_| true)], observer)?;
+                plan(&|row| quicker.contains(&row))?
+            }
+        };
+        Ok(Shared { rows, cut_off, own, common, planned, postures })
+    }
+
+    /// The angles at a fixed angle to tool 1's normal, and those of the posture curves through
+    /// them.
+    fn postures(&self, rows: &PairedRows, cone: Cone) -> Postures {
+        let lead_rad = self.job.schedule.lead_deg.to_radians();
+        let mut out = Postures { fixed_rad: Vec::new(), curve_rad: Vec::new() };
+        for row in &rows.rows {
+            let (mut last, mut s_mm) = (0.0, 0.0);
+            let (mut fixed, mut ways): (Vec<f64>, Vec<f64>) = Default::default();
+            let contacts = rows.places[row.clone()].iter().map(|p| p.contacts[0]);
+            let mut before: Option<Point> = None;
+            for c in contacts {
+                last = cone.theta_of(&c.normal, ALONG_AXIS).map_or(last, |at| nearest_turn(at + lead_rad, last));
+                s_mm += before.replace(c.contact).map_or(0.0, |b| (c.contact - b).norm());
+                fixed.push(last);
+                ways.push(s_mm);
+            }
+            out.curve_rad.extend(pair::posture(&fixed, &ways, cone));
+            out.fixed_rad.extend(fixed);
+        }
+        out
+    }
+
+    /// What the published smoothing comes to.
+    fn published(&self, pinch: &Pinch, postures: Postures, rows_without: usize) -> PublishedFigures {
+        let along = |theta: &[f64]| -> Vec<Held> {
+            let one = |(row, places): (usize, &Range<usize>)| {
+                let theta_rad = theta[places.clone()].to_vec();
+                Held { row, places: places.clone(), theta_rad, margin_rad: f64::NAN }
+            };
+            pinch.rows.rows.iter().enumerate().map(one).collect()
+        };
+        let turning = |theta: &[f64]| {
+            let held = along(theta);
+            verify::turning_rad_mm(&PinchWork { held: &held, ..self.pinch_work(pinch) })
+        };
+        let outside =
+            |theta: &[f64]| theta.iter().zip(&pinch.common).filter(|(theta, free)| !free.has(**theta)).count();
+        let Postures { fixed_rad, curve_rad } = postures;
+        PublishedFigures {
+            fixed_rad_mm: turning(&fixed_rad),
+            fixed_outside: outside(&fixed_rad),
+            posture_rad_mm: turning(&curve_rad),
+            posture_outside: outside(&curve_rad),
+            rows_without,
+        }
+    }
+
+    /// Over which way a turn of the table is spread between two places, mm, and what it may turn
+    /// there at most, rad.
+    ///
+    /// The way is the shorter of both contacts', over the cosine of the lean: then the slope of the
+    /// angle is the greater of what both tool axes turn by per mm of contact. Axes of the machine
+    /// go straight from place to place, and balls among them a little beside the line: with ρ the
+    /// distance of a ball centre from the table's axis and `d` its way, by `(3 ρ φ² + 2 φ d) / 8`
+    /// at most where the table turns by φ.
+    fn turning_over(&self, places: &[PairPlace], cones: [Cone; 2]) -> [f64; 2] {
+        let [a, b] = [0, places.len() - 1].map(|k| &places[k].contacts);
+        let way = |j: usize| (b[j].contact - a[j].contact).norm() / cones[j].lean_rad.cos();
+        let off_mm = |p: &Point| self.machine.off_table_axis_mm(p).unwrap_or_else(|| p.y.hypot(p.z));
+        let chord_mm = TURNING_CHORD * self.job.path.chord_mm;
+        let most = |j: usize| {
+            let (way, rho) = ((b[j].centre - a[j].centre).norm(), off_mm(&a[j].centre).max(off_mm(&b[j].centre)));
+            ((way * way + 24.0 * rho * chord_mm).sqrt() - way) / (3.0 * rho).max(f64::MIN_POSITIVE)
+        };
+        [way(0).min(way(1)), most(0).min(most(1))]
     }
 
     /// Both tools.
@@ -238,7 +372,8 @@ impl Setup {
     /// The controls that get programs of two tools; none on a machine with one head.
     ///
     /// # Errors
-    /// Kind `Usage` where a control has no such programs, or two would have the same file.
+    /// Kind `Usage` where a control has no such programs, or none in which the table may turn while
+    /// both tools cut, or two would have the same file.
     pub fn pinch_dialects(&self) -> Result<Vec<(String, Dialect)>> {
         if !self.machine.has_two_heads() {
             return Ok(Vec::new());
@@ -247,6 +382,9 @@ impl Setup {
         let mut files: Vec<(&str, &str)> = Vec::with_capacity(dialects.len());
         for (name, dialect) in &dialects {
             let file = &post::pinch::pinch_text(dialect, &self.machine, channels)?.file;
+            if self.pinch_settings().orientation != PinchOrientation::Hold {
+                post::pinch::table_may_turn(dialect, channels)?;
+            }
             if let Some((other, _)) = files.iter().find(|(_, f)| f == file) {
                 return Err(Error::usage(Stage::Post, format!("{other} and {name} would both write {file}"))
                     .advise("give the section pinch of the post file another `file`, or leave one of the two out"));
@@ -304,8 +442,7 @@ impl Setup {
         motion: &PinchMotion,
     ) -> Vec<Check> {
         let texts: Vec<&str> = files.iter().map(|f| f.text.as_str()).collect();
-        let stretches = pinch.stretches();
-        let work = self.pinch_work(pinch, &stretches);
+        let work = self.pinch_work(pinch);
         let asked = PinchAsked {
             cutting_s: motion.cutting_s,
             spindle_rpm: self.pinch_spindles_rpm(),
@@ -315,7 +452,7 @@ impl Setup {
     }
 
     /// What the checks look at.
-    pub fn pinch_work<'a>(&'a self, pinch: &'a Pinch, held: &'a [(Range<usize>, f64)]) -> PinchWork<'a> {
+    pub fn pinch_work<'a>(&'a self, pinch: &'a Pinch) -> PinchWork<'a> {
         let asked = self.pinch_settings();
         PinchWork {
             blade: &self.blade,
@@ -324,7 +461,7 @@ impl Setup {
             cones: self.pinch_cones(),
             between_rad: pinch.between_rad,
             rows: &pinch.rows,
-            held,
+            held: &pinch.held,
             tools_apart_mm: asked.tools_apart_mm,
             line_distance_mm: asked.line_distance_mm,
             max_angle_rad: asked.max_angle_deg.to_radians(),
@@ -373,7 +510,17 @@ struct Shared {
     cut_off: usize,
     own: [Vec<FreeAngles>; 2],
     common: Vec<FreeAngles>,
-    held: Vec<Held>,
+    planned: Planned,
+    /// Where they were asked for.
+    postures: Option<Postures>,
+}
+
+/// Angles of the published smoothing at all places, rad.
+struct Postures {
+    /// At a fixed angle to tool 1's normal.
+    fixed_rad: Vec<f64>,
+    /// Of the posture curves through these.
+    curve_rad: Vec<f64>,
 }
 
 /// What is in the way of both tools.
@@ -392,7 +539,11 @@ impl<'a> AroundBoth<'a> {
 /// The same angles on turns within the limits of the table, rad, where it has some.
 fn within_turns(held: Vec<Held>, limits_rad: Option<[f64; 2]>) -> Vec<Held> {
     let Some([least, _]) = limits_rad else { return held };
-    let turned = |h: Held| Held { theta_rad: least + (h.theta_rad - least).rem_euclid(TAU), ..h };
+    let turned = |h: Held| {
+        let [first, _] = h.ends_rad();
+        let by = least + (first - least).rem_euclid(TAU) - first;
+        Held { theta_rad: h.theta_rad.iter().map(|theta| theta + by).collect(), ..h }
+    };
     held.into_iter().map(turned).collect()
 }
 
@@ -416,7 +567,7 @@ fn closed(rows: &PairedRows, own: &[Vec<FreeAngles>; 2], both: &Both, place: usi
     let here = [&rows.places[place]; 2];
     let common = own[0][place].and(&own[1][place]);
     let angles = (0..360).map(|k| f64::from(k).to_radians()).filter(|theta| common.has(*theta));
-    let apart_mm = angles.map(|theta| both.apart(here, theta).least_mm).fold(f64::NEG_INFINITY, f64::max);
+    let apart_mm = angles.map(|theta| both.apart(here, [theta; 2]).least_mm).fold(f64::NEG_INFINITY, f64::max);
     let tools = if apart_mm.is_finite() {
         format!("; at what is free for both the tools are at most {apart_mm:.3} mm apart")
     } else {

@@ -1,20 +1,21 @@
 //! Nine axes in one clock: rows of two tools as motions of a machine with two heads.
 //!
-//! Each stretch is one motion, from rest to rest, while the table and both leans stand still. Its
-//! parameter is the way of the tool that goes farther. Before it both tools come down along their
-//! own axes, behind it they leave along them, until every point of both is farther from the axis of
-//! the table than any point of the part: beyond a plane square to the tool's direction, which the
-//! part turns under. From stretch to stretch all axes move in a straight line between such places,
-//! so both tools stay beyond their planes, however far the table turns.
+//! Each stretch is one motion, from rest to rest, while both leans stand still, and mostly the
+//! table. Its parameter is the way of the tool that goes farther. Before it both tools come down
+//! along their own axes, behind it they leave along them, until every point of both is farther from
+//! the axis of the table than any point of the part: beyond a plane square to the tool's direction,
+//! which the part turns under. From stretch to stretch all axes move in a straight line between
+//! such places, so both tools stay beyond their planes, however far the table turns.
 
 use super::Pinch;
-use crate::artifact::paired::{BallContact, PinchMotion, StretchMotion};
-use crate::artifact::{Axes, AxisRows};
+use crate::artifact::paired::{Held, PinchMotion, StretchMotion};
+use crate::artifact::{Axes, AxisRows, PairedRows};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::feed;
 use crate::geometry::{Point, Vector};
 use crate::machine::Machine;
 use crate::observe::Observer;
+use crate::pair::Planned;
 use crate::plan::Setup;
 use crate::tool::lowest_mm;
 
@@ -30,117 +31,213 @@ const SHORTEST_MM: f64 = 1e-6;
 /// # Errors
 /// Kind `Infeasible` where an axis leaves its travel; those of the feed.
 pub fn motion(setup: &Setup, pinch: &Pinch, observer: &dyn Observer) -> Result<Option<PinchMotion>> {
-    let machine = &setup.machine;
-    if !machine.has_two_heads() {
-        return Ok(None);
-    }
-    let leans = setup.pinch_cones().map(|c| c.lean_rad);
-    let gauges = setup.pinch_tools().map(|t| t.length_mm());
-    // Two heads share a table.
-    let turning_mm = machine.turns_within_mm(&setup.part_among()).unwrap_or(f64::INFINITY);
-    let options = setup.feed_options();
-    let feed_mm_s = setup.job.feed.feed_mm_min / 60.0;
+    let Some(heads) = Heads::of(setup, &pinch.rows, pinch.between_rad) else { return Ok(None) };
     let mut stretches = Vec::with_capacity(pinch.held.len());
     let mut alone_s = [0.0; 2];
     for (n, held) in pinch.held.iter().enumerate() {
         observer.check(Stage::Feed)?;
         observer.progress(Stage::Feed, n, pinch.held.len());
-        let places = &pinch.rows.places[held.places.clone()];
-        let centres = |k: usize| [0, 1].map(|j| places[k].contacts[j].centre);
-        let at = |centres: [Point; 2]| machine.place_both(centres, held.theta_rad, leans, gauges);
-        let (mut s_mm, mut speeds, mut rows) = (vec![0.0], Vec::new(), AxisRows::with_capacity(9, places.len()));
-        rows.push(&at(centres(0))?);
-        for k in 1..places.len() {
-            let way = |j: usize| (places[k].contacts[j].centre - places[k - 1].contacts[j].centre).norm();
-            let over = |j: usize| (places[k].contacts[j].contact - places[k - 1].contacts[j].contact).norm();
-            let step = way(0).max(way(1));
-            let farthest = step.max(over(0)).max(over(1));
-            s_mm.push(s_mm[k - 1] + step);
-            speeds.push(feed_mm_s * step / farthest);
-            rows.push(&at(centres(k))?);
-        }
+        let whole = heads.rows(held)?;
         for (j, time_s) in alone_s.iter_mut().enumerate() {
-            *time_s += alone(setup, &rows, j, |k| places[k].contacts[j], observer)?;
+            *time_s += heads.alone(held, &whole, j, observer)?;
         }
-        let (s_mm, rows, speeds) = three_at_least(s_mm, rows, speeds);
-        let motion = feed::plan_positions(&s_mm, &rows, &speeds, machine, &options, observer)?;
-        let ends = [0, places.len() - 1].map(|k| lifted(setup, pinch, (held.theta_rad, leans), centres(k), turning_mm));
-        let over = [at(ends[0].1)?, at(ends[1].1)?];
+        stretches.push(heads.stretch(n, held, whole, observer)?);
+    }
+    let cutting_s = stretches.iter().map(|s| s.motion.time_s).sum();
+    Ok(Some(PinchMotion { stretches, cutting_s, alone_s, turning_mm: heads.turning_mm }))
+}
+
+/// Those rows that take less time where the table turns along them than in stretches with the
+/// table still, the ways between these counted: `plans` are both.
+///
+/// # Errors
+/// Those of [`motion()`]; that of the first plan where both have one; kind `Usage` where the
+/// machine has one head.
+pub(super) fn quicker_turning(
+    setup: &Setup,
+    rows: &PairedRows,
+    between_rad: f64,
+    plans: [Result<Planned>; 2],
+    observer: &dyn Observer,
+) -> Result<Vec<usize>> {
+    let Some(heads) = Heads::of(setup, rows, between_rad) else {
+        let message = format!("pinch.orientation is time, but the machine {} has one head", setup.machine.name);
+        return Err(Error::usage(Stage::Machine, message)
+            .advise("set machine.file to one with two heads, or pinch.orientation to smooth"));
+    };
+    let all = (0..rows.rows.len()).collect();
+    let [still, turning] = match plans {
+        [Ok(still), Ok(turning)] => [still, turning],
+        // Along some row it can only turn.
+        [Err(_), Ok(_)] => return Ok(all),
+        [still, _] => return still.map(|_| Vec::new()),
+    };
+    let of_row =
+        |plan: &Planned, row: usize| -> Vec<Held> { plan.held.iter().filter(|h| h.row == row).cloned().collect() };
+    let mut quicker = Vec::new();
+    for row in turning.held.iter().filter(|h| !h.is_still()).map(|h| h.row) {
+        if quicker.last() == Some(&row) {
+            continue;
+        }
+        let [still_s, turning_s] = [&still, &turning].map(|plan| heads.time_s(&of_row(plan, row), observer));
+        if turning_s? < still_s? {
+            quicker.push(row);
+        }
+    }
+    Ok(quicker)
+}
+
+/// Both heads of a machine over the rows.
+struct Heads<'a> {
+    setup: &'a Setup,
+    rows: &'a PairedRows,
+    between_rad: f64,
+    /// See [`PinchMotion`].
+    turning_mm: f64,
+}
+
+/// All axes along a stretch: a row for each place, at these ways, with the greatest speed from each
+/// to the next.
+struct Along {
+    s_mm: Vec<f64>,
+    rows: AxisRows,
+    speeds: Vec<f64>,
+}
+
+impl<'a> Heads<'a> {
+    /// `None`: the machine has one.
+    fn of(setup: &'a Setup, rows: &'a PairedRows, between_rad: f64) -> Option<Self> {
+        let machine = &setup.machine;
+        // Two heads share a table.
+        let turning_mm = || machine.turns_within_mm(&setup.part_among()).unwrap_or(f64::INFINITY);
+        machine.has_two_heads().then(|| Heads { setup, rows, between_rad, turning_mm: turning_mm() })
+    }
+
+    fn centres(&self, place: usize) -> [Point; 2] {
+        [0, 1].map(|j| self.rows.places[place].contacts[j].centre)
+    }
+
+    fn at(&self, centres: [Point; 2], theta_rad: f64) -> Result<Axes> {
+        let gauges = self.setup.pinch_tools().map(|t| t.length_mm());
+        let leans = self.setup.pinch_cones().map(|c| c.lean_rad);
+        self.setup.machine.place_both(centres, theta_rad, leans, gauges)
+    }
+
+    fn feed_mm_s(&self) -> f64 {
+        self.setup.job.feed.feed_mm_min / 60.0
+    }
+
+    /// All axes at the places of a stretch.
+    fn rows(&self, held: &Held) -> Result<Along> {
+        let places = &self.rows.places[held.places.clone()];
+        let (mut s_mm, mut speeds, mut rows) = (vec![0.0], Vec::new(), AxisRows::with_capacity(9, places.len()));
+        for (k, place) in held.places.clone().enumerate() {
+            if k > 0 {
+                let way = |j: usize| (places[k].contacts[j].centre - places[k - 1].contacts[j].centre).norm();
+                let over = |j: usize| (places[k].contacts[j].contact - places[k - 1].contacts[j].contact).norm();
+                let step = way(0).max(way(1));
+                let farthest = step.max(over(0)).max(over(1));
+                s_mm.push(s_mm[k - 1] + step);
+                speeds.push(self.feed_mm_s() * step / farthest);
+            }
+            rows.push(&self.at(self.centres(place), held.theta_at(place))?);
+        }
+        Ok(Along { s_mm, rows, speeds })
+    }
+
+    /// The motion of a stretch, and both tools over its ends.
+    fn stretch(&self, stretch: usize, held: &Held, along: Along, observer: &dyn Observer) -> Result<StretchMotion> {
+        let (setup, machine) = (self.setup, &self.setup.machine);
+        let Along { s_mm, rows, speeds } = along.three_at_least();
+        let motion = feed::plan_positions(&s_mm, &rows, &speeds, machine, &setup.feed_options(), observer)?;
+        let thetas = held.ends_rad();
+        let centres = [held.places.start, held.places.end - 1].map(|k| self.centres(k));
+        let ends = [0, 1].map(|k| self.lifted(thetas[k], centres[k]));
+        let over = [self.at(ends[0].1, thetas[0])?, self.at(ends[1].1, thetas[1])?];
         let lifts_mm = [ends[0].0, ends[1].0];
         for row in over.iter().map(|r| &r[..]).chain(motion.position.iter()) {
             within_travel(machine, row, held.row)?;
         }
-        let places = held.places.clone();
-        stretches.push(StretchMotion { stretch: n, row: held.row, places, motion, over, lifts_mm });
+        Ok(StretchMotion { stretch, row: held.row, places: held.places.clone(), motion, over, lifts_mm })
     }
-    let cutting_s = stretches.iter().map(|s| s.motion.time_s).sum();
-    Ok(Some(PinchMotion { stretches, cutting_s, alone_s, turning_mm }))
-}
 
-/// The time that one tool takes for a stretch while the other head stands still, s.
-fn alone(
-    setup: &Setup,
-    rows: &AxisRows,
-    tool: usize,
-    at: impl Fn(usize) -> BallContact,
-    observer: &dyn Observer,
-) -> Result<f64> {
-    let machine = &setup.machine;
-    let own = machine.heads()[tool].linear();
-    let (mut s_mm, mut speeds, mut kept) = (vec![0.0], Vec::new(), AxisRows::with_capacity(rows.axes(), rows.len()));
-    let row = |k: usize| Axes::from_fn(rows.axes(), |c| rows[if own.contains(&c) { k } else { 0 }][c]);
-    kept.push(&row(0));
-    for k in 1..rows.len() {
-        let (a, b) = (at(k - 1), at(k));
-        let way = (b.centre - a.centre).norm();
-        // The other tool may go on where this one hardly moves.
-        if way < SHORTEST_MM {
-            continue;
+    /// The time of the stretches of a row and of the ways between them, s: up, to the next and down
+    /// again.
+    fn time_s(&self, stretches: &[Held], observer: &dyn Observer) -> Result<f64> {
+        let post = &self.setup.job.post;
+        let (mut sum, mut before) = (0.0, None::<StretchMotion>);
+        for (n, held) in stretches.iter().enumerate() {
+            let next = self.stretch(n, held, self.rows(held)?, observer)?;
+            sum += next.motion.time_s;
+            if let Some(last) = before {
+                let lift = |s: &StretchMotion, end: usize| s.lifts_mm[end][0].max(s.lifts_mm[end][1]);
+                sum += 60.0 * lift(&last, 1) / post.approach_feed_mm_min;
+                sum += self.setup.machine.rapid_s(&last.over[1], &next.over[0]);
+                sum += 60.0 * lift(&next, 0) / post.plunge_feed_mm_min;
+            }
+            before = Some(next);
         }
-        s_mm.push(s_mm[s_mm.len() - 1] + way);
-        let over = (b.contact - a.contact).norm();
-        speeds.push(setup.job.feed.feed_mm_min / 60.0 * way / way.max(over));
-        kept.push(&row(k));
+        Ok(sum)
     }
-    if kept.len() < 2 {
-        return Ok(0.0);
+
+    /// The time that one tool takes for a stretch while the other head stands still, s.
+    fn alone(&self, held: &Held, along: &Along, tool: usize, observer: &dyn Observer) -> Result<f64> {
+        let (setup, machine, rows) = (self.setup, &self.setup.machine, &along.rows);
+        let own = machine.heads()[tool].linear();
+        let moves = |c: usize| own.contains(&c) || c == machine.turning_axis();
+        let (mut s_mm, mut speeds, mut kept) =
+            (vec![0.0], Vec::new(), AxisRows::with_capacity(rows.axes(), rows.len()));
+        let row = |k: usize| Axes::from_fn(rows.axes(), |c| rows[if moves(c) { k } else { 0 }][c]);
+        kept.push(&row(0));
+        let at = |k: usize| self.rows.places[held.places.start + k].contacts[tool];
+        for k in 1..rows.len() {
+            let (a, b) = (at(k - 1), at(k));
+            let way = (b.centre - a.centre).norm();
+            // The other tool may go on where this one hardly moves.
+            if way < SHORTEST_MM {
+                continue;
+            }
+            s_mm.push(s_mm[s_mm.len() - 1] + way);
+            let over = (b.contact - a.contact).norm();
+            speeds.push(self.feed_mm_s() * way / way.max(over));
+            kept.push(&row(k));
+        }
+        if kept.len() < 2 {
+            return Ok(0.0);
+        }
+        let Along { s_mm, rows, speeds } = Along { s_mm, rows: kept, speeds }.three_at_least();
+        Ok(feed::plan_positions(&s_mm, &rows, &speeds, machine, &setup.feed_options(), observer)?.time_s)
     }
-    let (s_mm, kept, speeds) = three_at_least(s_mm, kept, speeds);
-    Ok(feed::plan_positions(&s_mm, &kept, &speeds, machine, &setup.feed_options(), observer)?.time_s)
+
+    /// How far both tools are lifted along their axes until the turning part is under them, and
+    /// their ball centres then.
+    fn lifted(&self, theta_rad: f64, centres: [Point; 2]) -> ([f64; 2], [Point; 2]) {
+        let cones = self.setup.pinch_cones();
+        let mut lifts = [0.0; 2];
+        let lifted = [0, 1].map(|j| {
+            let theta = theta_rad + if j == 0 { 0.0 } else { self.between_rad };
+            let (axis, out) = (cones[j].tool_axis(theta), Vector::new(0.0, theta.cos(), theta.sin()));
+            let tool = self.setup.pinch_tools()[j];
+            let height = lowest_mm(&tool.segments(), tool.radius_mm, &centres[j], &axis, &out);
+            lifts[j] = ((self.turning_mm + ROOM_MM - height) / cones[j].lean_rad.cos()).max(0.0);
+            centres[j] + axis * lifts[j]
+        });
+        (lifts, lifted)
+    }
 }
 
-/// A stretch of two places gets one between them.
-fn three_at_least(s_mm: Vec<f64>, rows: AxisRows, speeds: Vec<f64>) -> (Vec<f64>, AxisRows, Vec<f64>) {
-    let [a, b] = s_mm[..] else { return (s_mm, rows, speeds) };
-    let mut three = AxisRows::with_capacity(rows.axes(), 3);
-    let (first, last) = (Axes::from(&rows[0]), Axes::from(&rows[1]));
-    for row in [first, first.toward(&last, 0.5), last] {
-        three.push(&row);
+impl Along {
+    /// A stretch of two places gets one between them.
+    fn three_at_least(self) -> Self {
+        let Along { s_mm, rows, speeds } = self;
+        let [a, b] = s_mm[..] else { return Along { s_mm, rows, speeds } };
+        let mut three = AxisRows::with_capacity(rows.axes(), 3);
+        let (first, last) = (Axes::from(&rows[0]), Axes::from(&rows[1]));
+        for row in [first, first.toward(&last, 0.5), last] {
+            three.push(&row);
+        }
+        Along { s_mm: vec![a, 0.5 * (a + b), b], rows: three, speeds: [speeds.clone(), speeds].concat() }
     }
-    (vec![a, 0.5 * (a + b), b], three, [speeds.clone(), speeds].concat())
-}
-
-/// How far both tools are lifted along their axes until the turning part is under them, and their
-/// ball centres then.
-fn lifted(
-    setup: &Setup,
-    pinch: &Pinch,
-    (theta_rad, leans): (f64, [f64; 2]),
-    centres: [Point; 2],
-    turning_mm: f64,
-) -> ([f64; 2], [Point; 2]) {
-    let cones = setup.pinch_cones();
-    let between_rad = pinch.between_rad;
-    let mut lifts = [0.0; 2];
-    let lifted = [0, 1].map(|j| {
-        let theta = theta_rad + if j == 0 { 0.0 } else { between_rad };
-        let (axis, out) = (cones[j].tool_axis(theta), Vector::new(0.0, theta.cos(), theta.sin()));
-        let tool = setup.pinch_tools()[j];
-        let height = lowest_mm(&tool.segments(), tool.radius_mm, &centres[j], &axis, &out);
-        lifts[j] = ((turning_mm + ROOM_MM - height) / leans[j].cos()).max(0.0);
-        centres[j] + axis * lifts[j]
-    });
-    (lifts, lifted)
 }
 
 /// Every axis within its travel.

@@ -1,12 +1,12 @@
-//! Rows of two tools: what of the table's turn is free for both, and where it stands still.
+//! Rows of two tools: what of the table's turn is free for both, and where it stands.
 
 use super::chart::{self, BLUE, Chart, ChartCurve, ORANGE};
 
-/// A stretch of a row.
+/// A stretch of a row along which the table stands still, or a place of one along which it turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeldAngles {
-    /// Row, from 0.
-    pub row: usize,
+    /// Row, from 0; places of a row lie beside it.
+    pub row: f64,
     /// The angle at which the table stands, degrees.
     pub held_deg: f64,
     /// The ends of what is free about it for both tools at all of the stretch, degrees.
@@ -19,7 +19,7 @@ pub fn held_svg(name: &str, rows: &[HeldAngles]) -> String {
         return String::new();
     }
     let line = |value: &dyn Fn(&HeldAngles) -> f64| -> Vec<[f64; 2]> {
-        rows.iter().map(|h| [h.row as f64 + 1.0, value(h)]).collect()
+        rows.iter().map(|h| [h.row + 1.0, value(h)]).collect()
     };
     let held =
         ChartCurve { marks: true, ..ChartCurve::line("where it stands", line(&|h| h.held_deg), ORANGE, "", 1.5) };
@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn each_stretch_is_drawn_between_its_walls() {
-        let rows = [0, 0, 1].map(|row| HeldAngles { row, held_deg: 10.0 * row as f64, common_deg: [-40.0, 60.0] });
+        let rows = [0.0, 0.0, 1.0].map(|row| HeldAngles { row, held_deg: 10.0 * row, common_deg: [-40.0, 60.0] });
         let svg = held_svg("b", &rows);
         assert!(svg.contains("free for both tools along each row") && svg.contains("where it stands"), "{svg}");
         assert!(held_svg("b", &[]).is_empty());

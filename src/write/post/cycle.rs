@@ -10,7 +10,6 @@ use super::{OperationRun, WayEnd, turn_in};
 use crate::artifact::Axes;
 use crate::artifact::plan::Stretch;
 use crate::artifact::program::CycleTime;
-use crate::machine::{Axis, AxisLimits, Machine};
 use crate::numerics::angle::within_half_turn;
 
 /// The time of an operation as a dialect writes it.
@@ -47,7 +46,7 @@ fn outside(run: &OperationRun, end: &WayEnd, by: &[Axes]) -> f64 {
     let by = if by.is_empty() { std::slice::from_ref(&at) } else { by };
     let mut over = by[0];
     over[run.up()] = run.safe_up();
-    let rapids: f64 = std::iter::once(&over).chain(by).zip(by).map(|(from, to)| rapid(run.machine, from, to)).sum();
+    let rapids: f64 = std::iter::once(&over).chain(by).zip(by).map(|(from, to)| run.machine.rapid_s(from, to)).sum();
     let at_feed = (end.safe_mm - height) / o.approach_feed_mm_min + height / o.plunge_feed_mm_min;
     60.0 * at_feed + rapids
 }
@@ -64,39 +63,5 @@ fn unwinding(run: &OperationRun, dialect: &Dialect, begun: Option<&[f64]>) -> f6
     if dialect.turns_back_by_the_shorter_way() && axes[turning].limits.travel.is_none() {
         way[turning] = within_half_turn(way[turning]);
     }
-    rapid(run.machine, &way, &Axes::of_default(way.len()))
-}
-
-/// Time of a rapid, all axes at once, s.
-fn rapid(machine: &Machine, from: &[f64], to: &[f64]) -> f64 {
-    let time = |(k, axis): (usize, &Axis)| trapezoid((to[k] - from[k]).abs(), &axis.limits);
-    machine.axes().iter().enumerate().map(time).fold(0.0, f64::max)
-}
-
-/// From rest to rest over a way, under velocity and acceleration, s.
-fn trapezoid(way: f64, limits: &AxisLimits) -> f64 {
-    let (v, a) = (limits.velocity, limits.acceleration);
-    match way {
-        0.0 => 0.0,
-        _ if way < v * v / a => 2.0 * (way / a).sqrt(),
-        _ => way / v + v / a,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used)]
-    use super::*;
-
-    #[test]
-    fn rapids_take_a_trapezoid_or_a_triangle() {
-        let machine = Machine::demo().unwrap();
-        let a = machine.axes()[machine.turning_axis()].limits;
-        let deg = f64::to_radians;
-        // 180 degrees a second after 0.3 s: 27 degrees on the way there, and as many to a halt.
-        assert!((trapezoid(deg(54.0), &a) - 0.6).abs() < 1e-12);
-        assert!((trapezoid(deg(54.0 + 180.0), &a) - 1.6).abs() < 1e-12);
-        assert!((trapezoid(deg(6.0), &a) - 0.2).abs() < 1e-12);
-        assert_eq!(trapezoid(0.0, &a), 0.0);
-    }
+    run.machine.rapid_s(&way, &Axes::of_default(way.len()))
 }

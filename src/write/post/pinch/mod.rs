@@ -97,6 +97,24 @@ pub fn pinch_text<'a>(dialect: &'a Dialect, machine: &Machine, channels: u32) ->
     }
 }
 
+/// Whether programs of a dialect may turn the table while both tools cut.
+///
+/// # Errors
+/// Kind `Usage` where channels keep time by wait marks only, or a line's F counts the way of linear
+/// axes, beside which a control counts that of the table too.
+pub fn table_may_turn(dialect: &Dialect, channels: u32) -> Result<()> {
+    let file = &dialect.file;
+    let since = if channels == 2 {
+        "pinch.channels is 2: channels keep time by wait marks only".to_owned()
+    } else if file.feed != FeedWord::InverseTime {
+        format!("{} takes F per minute, which counts degrees of the table as well as mm", file.name)
+    } else {
+        return Ok(());
+    };
+    Err(Error::usage(Stage::Post, format!("{since}, so the table must stand still while both tools cut"))
+        .advise("leave out pinch.orientation: hold is its default"))
+}
+
 /// The programs: one, or one for each of two channels.
 ///
 /// # Errors
@@ -286,11 +304,20 @@ impl<'a> Writer<'a> {
         lines.comment(
             "Both tools are loaded before the start. With both spindles turning right one side climbs, the other cuts conventionally.",
         );
+        let turning = p.machine.turning_axis();
+        let moves = |s: &&StretchMotion| {
+            let mut rows = s.motion.position.iter().map(|r| r[turning] - s.over[0][turning]);
+            rows.any(|moved| moved.abs() > STILL)
+        };
+        let table = match p.motion.stretches.iter().filter(moves).count() {
+            0 => "stands still while both cut".to_owned(),
+            n => format!("turns in {n} of them while both cut"),
+        };
         lines.comment(&format!(
-            "{} rows in {} stretches; {} stands still while both cut.",
+            "{} rows in {} stretches; {} {table}.",
             rows(p.motion),
             p.motion.stretches.len(),
-            axes[p.machine.turning_axis()].name
+            axes[turning].name
         ));
         lines.comment(&format!("Cutting {:.1} s, without the ways from row to row.", p.motion.cutting_s));
     }

@@ -138,12 +138,22 @@ fn turn(
     json!({
         "row": stretch.row + 1,
         "length": rounded(places.length_mm(stretch), 3),
-        "held": rounded(stretch.held_rad.to_degrees(), 3),
+        "held": table(stretch, pieces, pack),
         "s": pack.list(DIGITS, pieces.iter().map(|p| places.within_mm(stretch, p.start))),
         "free": [one, two, both],
         "angle": pack.list(DIGITS, pieces.iter().map(|p| greatest(p, |place| place.angle_rad.to_degrees()))),
         "apart": pack.scaled(pieces.iter().map(|p| greatest(p, |place| place.apart_mm))),
     })
+}
+
+/// The angle at which the table stands, degrees: a number, or where it turns one for each piece.
+fn table(stretch: &PinchStretch, pieces: &[Range<usize>], pack: &mut Pack) -> Value {
+    let theta = &stretch.theta_rad;
+    let at = |k: usize| theta.get(k - stretch.places.start).map_or(f64::NAN, |theta| theta.to_degrees());
+    match theta.windows(2).all(|w| w[0] == w[1]) {
+        true => rounded(at(stretch.places.start), 3),
+        false => pack.list(DIGITS, pieces.iter().map(|p| at(p.start))),
+    }
 }
 
 /// All axes over the time that both tools cut; nothing without motion.

@@ -114,7 +114,11 @@ pub(super) fn cards(input: &PinchReport) -> String {
         f("/narrowest_own_deg/1")
     );
     card(&mut cards, "Free for both tools, at least", &format!("{}°", f("/narrowest_deg")), &note);
-    let note = format!("from stretch to stretch, in all; {} stretches", f("/stretches"));
+    let cutting = match value(input, "/turned_cutting_deg") > 0.0 {
+        true => format!("; {}° more while both tools cut", f("/turned_cutting_deg")),
+        false => String::new(),
+    };
+    let note = format!("from stretch to stretch, in all{cutting}; {} stretches", f("/stretches"));
     card(&mut cards, "Table turns", &format!("{}°", f("/turned_deg")), &note);
     let apart = format!("{} mm", f("/measured/tools_apart_mm"));
     card(&mut cards, "Tools are apart, at least", &apart, "the blade is between them");

@@ -25,16 +25,16 @@ mod figures;
 #[cfg(test)]
 mod tests;
 
-/// A stretch of a row that is cut while the table stands still, with what is free there. Angles of
-/// the table in rad; a wall is `[from, to]` about the angle that is held, on its turn.
+/// A stretch of a row, with what is free there. Angles of the table in rad; a wall is `[from, to]`
+/// about the angle at which the table stands, on its turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PinchStretch {
     /// Row, from 0.
     pub row: usize,
     /// Its places in the rows.
     pub places: Range<usize>,
-    /// The angle at which the table stands.
-    pub held_rad: f64,
+    /// The angle at which the table stands at each place.
+    pub theta_rad: Vec<f64>,
     /// At each place what is free for tool 1, for tool 2 (turned back by the angle between the
     /// heads), and for both.
     pub free_rad: [Vec<[f64; 2]>; 3],

@@ -55,7 +55,7 @@ fn stretches() -> Vec<PinchStretch> {
         let mut free_rad = [walls(1.0), walls(0.75), walls(0.75)];
         // One place is narrow.
         free_rad[2][3] = [held_rad - 0.25, held_rad + 0.5];
-        PinchStretch { row, places: row * PLACES..(row + 1) * PLACES, held_rad, free_rad }
+        PinchStretch { row, places: row * PLACES..(row + 1) * PLACES, theta_rad: vec![held_rad; PLACES], free_rad }
     };
     vec![one(0), one(1)]
 }
@@ -65,7 +65,7 @@ fn keys(rows: &PairedRows, stretches: &[PinchStretch]) -> Vec<PinchKey> {
     let mut keys = Vec::new();
     let mut key = |stretch: usize, k: usize, lift_mm: f64| {
         let stand = |j: usize| {
-            let theta = stretches[stretch].held_rad + BETWEEN_RAD * j as f64;
+            let theta = stretches[stretch].theta_rad[0] + BETWEEN_RAD * j as f64;
             let centre = rows.places[k].contacts[j].centre;
             Stand { centre, cone: Cone::about_blade(0.1), theta }.lifted(lift_mm)
         };
@@ -244,7 +244,7 @@ fn without_two_heads_and_without_rows_there_is_a_page() {
     assert!(page.contains("All 2 checks passed") && !page.contains("id=\"axes\"") && !page.contains("#programs"));
     assert!(data(&page).0["axes"].is_null());
     let none = PairedRows { rows: Vec::new(), places: Vec::new(), ..rows() };
-    let odd = [PinchStretch { row: 3, places: 5..9, held_rad: f64::NAN, free_rad: Default::default() }];
+    let odd = [PinchStretch { row: 3, places: 5..9, theta_rad: vec![f64::NAN; 4], free_rad: Default::default() }];
     let page = with_input(true, &Value::Null, |i| {
         let bare = PinchReport { rows: &none, stretches: &[], keys: &[], motion: None, ..i };
         assert!(html(&bare).unwrap().contains("Not checked"));
