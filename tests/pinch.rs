@@ -202,10 +202,10 @@ fn planted_faults_are_found_and_nothing_else_is() {
 }
 
 /// The controls that have programs of two tools.
-const CONTROLS: [&str; 4] = ["linuxcnc", "siemens", "iso", "fanuc"];
+pub const CONTROLS: [&str; 4] = ["linuxcnc", "siemens", "iso", "fanuc"];
 
 /// The same rows on a machine with two heads.
-fn programmed() -> &'static (Setup, Pinch, PinchProgrammed) {
+pub fn programmed() -> &'static (Setup, Pinch, PinchProgrammed) {
     static PROGRAMMED: OnceLock<(Setup, Pinch, PinchProgrammed)> = OnceLock::new();
     PROGRAMMED.get_or_init(|| {
         let plan = || {
@@ -219,7 +219,7 @@ fn programmed() -> &'static (Setup, Pinch, PinchProgrammed) {
 }
 
 /// The program of a control.
-fn text_of(control: &str) -> &'static str {
+pub fn text_of(control: &str) -> &'static str {
     let posted = programmed().2.programs.iter().find(|p| p.control == control).expect("a control");
     assert_eq!(posted.files.len(), 1);
     &posted.files[0].text
@@ -241,19 +241,19 @@ fn program_faults(control: &str, change: impl FnOnce(&str) -> String) -> Vec<Che
 }
 
 /// The word of a letter in a line: `X1.5`, `X=1.5`, `A=DC(1.5)`.
-fn token<'a>(line: &'a str, letter: &str) -> Option<&'a str> {
+pub fn token<'a>(line: &'a str, letter: &str) -> Option<&'a str> {
     let is_number = |rest: &str| rest.starts_with(['=', '-']) || rest.starts_with(|c: char| c.is_ascii_digit());
     line.split(' ').find(|w| w.strip_prefix(letter).is_some_and(is_number))
 }
 
 /// The number of that word.
-fn word(line: &str, letter: &str) -> f64 {
+pub fn word(line: &str, letter: &str) -> f64 {
     let token = token(line, letter).unwrap_or_else(|| panic!("no {letter} in {line}"));
     token[letter.len()..].trim_matches(|c: char| "=DC()".contains(c)).parse().expect("a number")
 }
 
 /// The line with another number in that word.
-fn moved(line: &str, letter: &str, by: f64) -> String {
+pub fn moved(line: &str, letter: &str, by: f64) -> String {
     let token = token(line, letter).unwrap_or_else(|| panic!("no {letter} in {line}"));
     let at = token.find(|c: char| c == '-' || c.is_ascii_digit()).expect("a number");
     let end = token.trim_end_matches(')').len();
@@ -261,12 +261,12 @@ fn moved(line: &str, letter: &str, by: f64) -> String {
     line.replacen(token, &number, 1)
 }
 
-fn is_cut(line: &str) -> bool {
+pub fn is_cut(line: &str) -> bool {
     line.split(' ').any(|w| w == "G1")
 }
 
 /// The text with another line in place of the `n`th that is of a kind.
-fn with_line(text: &str, n: usize, of: impl Fn(&str) -> bool, change: impl FnOnce(&str) -> String) -> String {
+pub fn with_line(text: &str, n: usize, of: impl Fn(&str) -> bool, change: impl FnOnce(&str) -> String) -> String {
     let line = text.lines().enumerate().filter(|(_, l)| of(l)).nth(n).expect("a line").0;
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     lines[line] = change(&lines[line]);
@@ -424,7 +424,7 @@ fn faults_in_a_program_of(control: &str) {
 }
 
 /// The programs of both channels.
-fn channels() -> [String; 2] {
+pub fn channels() -> [String; 2] {
     let (setup, _, programmed) = programmed();
     let siemens = Dialect::built_in(Control::Siemens).expect("a dialect");
     let files = setup.pinch_files(&siemens, &programmed.motion, 2).expect("programs");

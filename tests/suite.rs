@@ -25,6 +25,7 @@ mod manual;
 mod mesh_and_step;
 mod models_readme;
 mod pinch;
+mod pinch_audit;
 mod prism;
 mod recognise;
 mod tamper;

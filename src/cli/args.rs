@@ -584,15 +584,20 @@ pub struct Reschedule {
 pub struct Verify {
     /// The folder of a finished run, or a program together with --part and --tool.
     pub what: PathBuf,
+    /// The program of the second channel, where two tools cut in two channels.
+    #[arg(requires = "part")]
+    pub second: Option<PathBuf>,
     /// The part that the program is for: a model.
     #[arg(long, value_name = "MODEL", requires = "tool")]
     pub part: Option<PathBuf>,
     /// The tool (TOML): radius_mm, taper_deg, shank_radius_mm, stickout_mm, holder, and
     /// corner_radius_mm where it is no ball; job.resolved.toml of a run will do. Given more than
-    /// once: the tools that the program calls (M6, TOOL CALL, LOADTL), in that order.
+    /// once: the tools that the program calls (M6, TOOL CALL, LOADTL), in that order; where two
+    /// tools cut at the same time, those of both heads.
     #[arg(long, value_name = "FILE", requires = "part")]
     pub tool: Vec<PathBuf>,
-    /// The machine (TOML); default: the built-in demo machine.
+    /// The machine (TOML); default: the built-in demo machine. With two heads, the program may be
+    /// one of two tools.
     #[arg(long, value_name = "FILE", requires = "part")]
     pub machine: Option<PathBuf>,
     /// How to read the model.

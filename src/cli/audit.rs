@@ -3,12 +3,13 @@
 use super::args::Verify;
 use super::out::{amount, limit, sayln};
 use super::progress::Terminal;
-use super::{again, fit, inspect, theirs};
+use super::{again, fit, inspect, pinch_audit, theirs};
 use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::machine::Machine;
 use crate::read::model;
 use crate::read::program::Bench;
 use crate::run::{self, inputs};
+use crate::verify;
 use crate::verify::audit::{self, Audit, AuditOptions, LineCheck};
 
 /// Spans of lines that are printed for one check; all are in the report.
@@ -26,10 +27,13 @@ pub fn run(args: &Verify, quiet: bool) -> Result<u8> {
         return again::verify(&args.what, map, quiet);
     };
     let text = theirs::text(&args.what)?;
+    let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| inputs::machine(f))?;
+    if args.second.is_some() || verify::is_for_two_tools(&text, &machine) {
+        return pinch_audit::run(args, part, &text, &machine, quiet);
+    }
     let (language, why) = theirs::language(&args.what, &args.manner, &text)?;
     let tools = args.tool.iter().map(|t| inputs::tool(t)).collect::<Result<Vec<_>>>()?;
     let (language, why) = theirs::with_tools(language, why, &args.manner, &tools);
-    let machine = args.machine.as_ref().map_or_else(Machine::demo, |f| inputs::machine(f))?;
     let terminal = Terminal::new(quiet);
     let blade = model::load(part, &inspect::reading(&args.reading), &terminal);
     let audit = blade.and_then(|blade| {

@@ -14,6 +14,7 @@ mod inspect;
 mod make;
 mod out;
 mod pinch;
+mod pinch_audit;
 mod plan;
 mod progress;
 mod reschedule;

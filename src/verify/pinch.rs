@@ -27,6 +27,7 @@ use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Cone, Obstacle, PairedRows, Stand};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::opposite::SurfacePlace;
+use crate::geometry::part::Part;
 use crate::geometry::{Point, Vector};
 use crate::parallel;
 use crate::tool::{Segment, Tool};
@@ -104,7 +105,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         )
     });
     let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
-    let (mut sides, mut borders) = (Vec::new(), Vec::new());
+    let (mut sides, mut borders, mut both) = (Vec::new(), Vec::new(), Vec::new());
     for (tool, sweep) in sweeps.iter().enumerate() {
         // Places are named as the rows number them, not as stretches pass them.
         let place = |i: usize| order.get(i).map_or(i, |(_, k)| *k);
@@ -136,6 +137,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         for a in apart(work.blade, work.obstacles, work.tools[tool], options) {
             checks.push(name(clearance(&a, track, work.blade, options)));
         }
+        both.push(stands);
     }
     figures.binding_ridges_mm = five(&binding(&sides));
     figures.border_ridges_mm = five(&sort(borders));
@@ -143,9 +145,10 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
     checks.extend(check);
     (figures.line_distance_mm, figures.angle_deg) = opposition;
     figures.turning_rad_mm = turning_rad_mm(work);
-    let (check, least_mm) = tools_apart(work, &order, &cuts);
+    let (least_mm, at) = tools_apart(work.tools, [&both[0], &both[1]], &cuts);
+    let k = order.get(at).map_or(0, |(_, k)| *k);
     figures.tools_apart_mm = least_mm;
-    checks.push(check);
+    checks.push(apart_check((least_mm, work.tools_apart_mm), k, &work.rows.places[k].held_centre, work.blade));
     (checks, figures)
 }
 
@@ -241,7 +244,7 @@ fn ridge_check(heights: &[Height], work: &PinchWork, options: &VerifyOptions) ->
     }
 }
 
-fn clearance(a: &Apart, track: Track, blade: &Blade, options: &VerifyOptions) -> Check {
+pub(super) fn clearance(a: &Apart, track: Track, blade: &Blade, options: &VerifyOptions) -> Check {
     let limit = options.least_clearance(a.asked_mm);
     let kept = kept(track, a.part, &a.segments, limit, options);
     let id = match (a.obstacle, a.is_holder) {
@@ -270,16 +273,19 @@ fn clearance(a: &Apart, track: Track, blade: &Blade, options: &VerifyOptions) ->
 /// percentile and greatest of each, mm and degrees.
 type Opposition = ([f64; 3], [f64; 3]);
 
+/// Distance of the normal lines under two ball centres, mm, and half of what the normals' sum is
+/// long: the sine of half the angle that they lack of being opposite.
+pub(super) fn facing(part: &Part, centres: [&Point; 2]) -> Option<[f64; 2]> {
+    let feet = centres.map(|c| {
+        let near = part.closest(c, f64::INFINITY)?;
+        Some(SurfacePlace { point: near.point, normal: (c - near.point).try_normalize(1e-9)? })
+    });
+    let [one, two] = [feet[0]?, feet[1]?];
+    Some([one.lines_apart_mm(&two), (one.normal + two.normal).norm().clamp(0.0, 2.0) / 2.0])
+}
+
 fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
-    let of = |k: &usize| -> Option<[f64; 2]> {
-        let feet = [0, 1].map(|tool| {
-            let c = &work.rows.places[*k].contacts[tool].centre;
-            let near = work.blade.part.closest(c, f64::INFINITY)?;
-            Some(SurfacePlace { point: near.point, normal: (c - near.point).try_normalize(1e-9)? })
-        });
-        let [one, two] = [feet[0]?, feet[1]?];
-        Some([one.lines_apart_mm(&two), (one.normal + two.normal).norm().clamp(0.0, 2.0) / 2.0])
-    };
+    let of = |k: &usize| facing(&work.blade.part, [0, 1].map(|tool| &work.rows.places[*k].contacts[tool].centre));
     let places: Vec<usize> = (0..work.rows.places_held()).collect();
     let found: Vec<Option<[f64; 2]>> = parallel::map(&places, of);
     let sorted = |column: usize| {
@@ -330,29 +336,27 @@ pub fn turning_rad_mm(work: &PinchWork) -> [f64; 2] {
     })
 }
 
-/// How near the tools come to each other, over all stretches, mm.
-fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Check, f64) {
-    let segments = work.tools.map(Tool::segments);
+/// How near two tools come to each other at least, mm, over all moves that count, and the first
+/// place of the one where they do.
+pub(super) fn tools_apart(tools: [&Tool; 2], stands: [&[Stand]; 2], cuts: &[bool]) -> (f64, usize) {
+    let segments = tools.map(Tool::segments);
     let stand = |i: usize| {
-        let (n, k) = order[i];
-        let theta = work.held[n].theta_at(k);
-        let thetas = [theta, theta + work.between_rad];
         [0, 1].map(|j| {
-            let axis = work.cones[j].tool_axis(thetas[j]);
-            solids(&segments[j], work.tools[j].radius_mm, &work.rows.places[k].contacts[j].centre, &axis)
+            let at = &stands[j][i];
+            solids(&segments[j], tools[j].radius_mm, &at.centre, &at.axis())
         })
     };
     let one = |i: &usize| {
         let here = stand(*i);
-        let next = if cuts.get(*i) == Some(&true) { stand(*i + 1) } else { stand(*i) };
-        let turned = match cuts.get(*i) {
-            Some(true) => [*i + 1, *i].map(|i| work.held[order[i].0].theta_at(order[i].1)),
-            _ => [0.0; 2],
-        };
-        let turned = turned[1] - turned[0];
+        let moves = cuts.get(*i) == Some(&true);
+        let next = if moves { stand(*i + 1) } else { stand(*i) };
         // A point at a distance r from a ball centre leaves the chord of its arc by r (1 − cos φ/2)
         // at most.
-        let off_mm: f64 = work.tools.iter().map(|t| t.reach_mm() * (1.0 - (0.5 * turned).cos())).sum();
+        let off = |j: usize| {
+            let [a, b] = [*i, *i + 1].map(|i| stands[j][i].axis());
+            tools[j].reach_mm() * (1.0 - (0.5 * a.angle(&b)).cos())
+        };
+        let off_mm: f64 = if moves { (0..2).map(off).sum() } else { 0.0 };
         let mut least = f64::INFINITY;
         for (a, a_next) in here[0].iter().zip(&next[0]) {
             for (b, b_next) in here[1].iter().zip(&next[1]) {
@@ -363,21 +367,24 @@ fn tools_apart(work: &PinchWork, order: &[(usize, usize)], cuts: &[bool]) -> (Ch
                 least = least.min(apart.fold(f64::NEG_INFINITY, f64::max));
             }
         }
-        (least - off_mm, order[*i].1)
+        (least - off_mm, *i)
     };
-    let rows: Vec<usize> = (0..order.len()).collect();
+    let rows: Vec<usize> = (0..stands[0].len()).collect();
     let all: Vec<(f64, usize)> = parallel::map(&rows, one);
-    let (least_mm, k) = all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0));
-    let point = work.blade.model_from_blade * work.rows.places[k].held_centre;
+    all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0))
+}
+
+/// The check of that, at a place.
+fn apart_check((least_mm, asked_mm): (f64, f64), place: usize, at: &Point, blade: &Blade) -> Check {
+    let point = blade.model_from_blade * at;
     let quantity = "least distance of the two tools, between places too";
-    let note = format!("place {k}; asked for {}", work.tools_apart_mm);
-    let check = Check {
-        passed: least_mm >= work.tools_apart_mm,
-        row: Some(k),
+    let note = format!("place {place}; asked for {asked_mm}");
+    Check {
+        passed: least_mm >= asked_mm,
+        row: Some(place),
         point_mm: Some([point.x, point.y, point.z]),
-        ..Check::at_most(CheckId::ToolsApart, quantity, least_mm, work.tools_apart_mm, "mm", note)
-    };
-    (check, least_mm)
+        ..Check::at_most(CheckId::ToolsApart, quantity, least_mm, asked_mm, "mm", note)
+    }
 }
 
 /// A ball, or the frustum of a cone, where it stands.

@@ -25,6 +25,8 @@ use crate::tool::Tool;
 
 /// The channels may be so far apart in time where both cut by their own F, s: a cycle of a control.
 const LAG_S: f64 = 0.004;
+/// Times that are nearer are the same, s.
+const SAME_S: f64 = 1e-9;
 /// An axis that moves by less stands still, mm or rad.
 const STILL: f64 = 1e-9;
 
@@ -37,11 +39,11 @@ pub(super) struct Met {
     pub(super) lines: Option<Vec<Line>>,
 }
 
-/// Leads both programs from mark to mark.
-pub(super) fn meet(programs: [&Read; 2], work: &PinchWork, machine: &Machine) -> Met {
+/// Leads both programs from mark to mark; `stretches`: how many there should be.
+pub(super) fn meet(programs: [&Read; 2], stretches: Option<usize>, machine: &Machine) -> Met {
     let is_second = |k: usize| machine.axes()[k].carries == Carries::Head(1);
     let mut checks = vec![strangers(programs, machine)];
-    checks.extend(marks(programs, work.held.len()));
+    checks.extend(marks(programs, stretches));
     if programs[0].marks.len() != programs[1].marks.len() {
         return Met { checks, lines: None };
     }
@@ -50,9 +52,13 @@ pub(super) fn meet(programs: [&Read; 2], work: &PinchWork, machine: &Machine) ->
     let join = |a: &Axes, b: &Axes| Axes::from_fn(a.len(), |k| if is_second(k) { b[k] } else { a[k] });
     let mut found = BetweenMarks::default();
     for (n, (one, two)) in parts.enumerate() {
-        found.part(n, [one, two], programs, (machine, &at));
+        found.part(n, [one, two], programs, (machine, &at), stretches.is_some());
         let ends = [one, two].map(|p| p.last().map_or(at, |l| l.at));
-        lines.extend(together([one, two], &at, join));
+        let cuts = [one, two].iter().any(|part| part.iter().any(|l| !l.is_rapid));
+        lines.extend(match stretches.is_none() && cuts {
+            true => by_time([one, two], &at, join),
+            false => together([one, two], &at, join),
+        });
         at = join(&ends[0], &ends[1]);
     }
     checks.extend(found.checks());
@@ -83,6 +89,41 @@ fn together(parts: [&[Line]; 2], before: &Axes, join: impl Fn(&Axes, &Axes) -> A
     pairs.filter(|(a, b)| a.is_some() || b.is_some()).map(|(a, b)| line(a, b)).collect()
 }
 
+/// The lines of both channels between two marks, by the time since the first of them: wherever a
+/// line of either ends. Rapids take none.
+fn by_time(parts: [&[Line]; 2], before: &Axes, join: impl Fn(&Axes, &Axes) -> Axes) -> Vec<Line> {
+    let ends = |part: &[Line]| -> Vec<f64> {
+        let mut at_s = 0.0;
+        let end = |l: &Line| {
+            at_s += l.seconds.filter(|s| s.is_finite()).unwrap_or(0.0);
+            at_s
+        };
+        part.iter().map(end).collect()
+    };
+    let ends = parts.map(ends);
+    let mut times: Vec<f64> = ends.iter().flatten().copied().collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup_by(|b, a| *b - *a <= SAME_S);
+    let mut last_s = 0.0;
+    let line = |t: f64| {
+        let at = [0, 1].map(|k| {
+            let n = ends[k].partition_point(|end| *end < t - SAME_S);
+            let Some(own) = parts[k].get(n) else {
+                return (parts[k].last(), parts[k].last().map_or(*before, |l| l.at));
+            };
+            let (from, from_s) = n.checked_sub(1).map_or((*before, 0.0), |n| (parts[k][n].at, ends[k][n]));
+            let share = if t >= ends[k][n] - SAME_S { 1.0 } else { (t - from_s) / (ends[k][n] - from_s) };
+            (Some(own), if share == 1.0 { own.at } else { from.toward(&own.at, share) })
+        });
+        let own = at.map(|(line, _)| line);
+        let numbers = own.map(|l| l.map_or(0, |l| l.numbers[0]));
+        let is_rapid = own.into_iter().flatten().all(|l| l.is_rapid);
+        let seconds = Some(t - std::mem::replace(&mut last_s, t)).filter(|_| !is_rapid);
+        Line { numbers, is_rapid, seconds, at: join(&at[0].1, &at[1].1) }
+    };
+    times.into_iter().map(line).collect()
+}
+
 /// Axes that a channel names though they are the other's.
 fn strangers(programs: [&Read; 2], machine: &Machine) -> Check {
     let of = |channel: usize| {
@@ -103,9 +144,9 @@ fn fault(quantity: &str, all: &[String]) -> Check {
     Check::at_most(CheckId::ProgramChannels, quantity, all.len() as f64, 0.0, "", note)
 }
 
-/// Marks count up by one in both programs, are the same, and there are three for the first stretch
-/// and two for each after it.
-fn marks(programs: [&Read; 2], stretches: usize) -> [Check; 3] {
+/// Marks are the same in both programs. Where the stretches are known they count up by one, and
+/// there are three for the first stretch and two for each after it.
+fn marks(programs: [&Read; 2], stretches: Option<usize>) -> Vec<Check> {
     let all = [0, 1].map(|k| &programs[k].marks[..]);
     let last = all.iter().flat_map(|m| m.iter()).map(|m| m.mark).max().unwrap_or(0);
     let named = |channel: usize, m: &Mark| format!("mark {} in line {} of channel {}", m.mark, m.line, channel + 1);
@@ -113,7 +154,7 @@ fn marks(programs: [&Read; 2], stretches: usize) -> [Check; 3] {
     for channel in 0..2 {
         let mut wanted = 1;
         for m in all[channel] {
-            if m.mark != wanted {
+            if m.mark != wanted && stretches.is_some() {
                 order.push(format!("{}, where {wanted} comes next", named(channel, m)));
             }
             if m.channels != [1, 2] {
@@ -131,15 +172,18 @@ fn marks(programs: [&Read; 2], stretches: usize) -> [Check; 3] {
             [None, None] => {}
         }
     }
-    let (wanted, most) = (1 + 2 * stretches, |of: &[Mark]| of.len().abs_diff(1 + 2 * stretches));
-    let counted = format!("{} in channel 1, {} in channel 2, wanted {wanted}", all[0].len(), all[1].len());
-    let quantity = "wait marks that are missing or too many";
-    let off = most(all[0]).max(most(all[1])) as f64;
-    [
+    let mut out = vec![
         fault("wait marks out of their order", &order),
         fault("wait marks at which one channel waits for ever", &alone),
-        Check::at_most(CheckId::ProgramChannels, quantity, off, 0.0, "", counted),
-    ]
+    ];
+    out.extend(stretches.map(|stretches| {
+        let (wanted, most) = (1 + 2 * stretches, |of: &[Mark]| of.len().abs_diff(1 + 2 * stretches));
+        let counted = format!("{} in channel 1, {} in channel 2, wanted {wanted}", all[0].len(), all[1].len());
+        let quantity = "wait marks that are missing or too many";
+        let off = most(all[0]).max(most(all[1])) as f64;
+        Check::at_most(CheckId::ProgramChannels, quantity, off, 0.0, "", counted)
+    }));
+    out
 }
 
 /// What was found between two marks.
@@ -155,7 +199,15 @@ struct BetweenMarks {
 
 impl BetweenMarks {
     /// The part behind mark `n`, counted from 0 for what comes before the first.
-    fn part(&mut self, n: usize, parts: [&[Line]; 2], programs: [&Read; 2], (machine, before): (&Machine, &Axes)) {
+    /// `in_step`: both channels are to have the same lines.
+    fn part(
+        &mut self,
+        n: usize,
+        parts: [&[Line]; 2],
+        programs: [&Read; 2],
+        (machine, before): (&Machine, &Axes),
+        in_step: bool,
+    ) {
         let cuts = |part: &[Line]| part.iter().filter(|l| !l.is_rapid).count();
         if cuts(parts[0]) + cuts(parts[1]) == 0 {
             return;
@@ -172,6 +224,13 @@ impl BetweenMarks {
             let rapid = part.iter().find(|l| l.is_rapid);
             let named = |l: &Line| format!("a rapid in line {} of channel {}, {between}", l.numbers[0], channel + 1);
             self.uneven.extend(rapid.map(named));
+        }
+        if !in_step {
+            let [one, two] = parts.map(|part| part.iter().filter_map(|l| l.seconds).sum::<f64>());
+            if !((one - two).abs() <= self.lag_s.0) {
+                self.lag_s = ((one - two).abs(), format!("in all {between}"));
+            }
+            return;
         }
         if parts[0].len() != parts[1].len() {
             let [one, two] = parts.map(<[Line]>::len);
@@ -232,28 +291,33 @@ pub(super) fn rendezvous(
 }
 
 /// How near the tools come between the marks of a stretch, however far one of them lags.
-pub(super) fn lagging(work: &PinchWork, poses: &[Option<[Pose; 2]>], stretches: &[Range<usize>]) -> Check {
-    let segments = work.tools.map(Tool::segments);
+pub(super) fn lagging(
+    (tools, asked_mm): ([&Tool; 2], f64),
+    poses: &[Option<[Pose; 2]>],
+    stretches: &[Range<usize>],
+) -> Check {
+    let segments = tools.map(Tool::segments);
     let one = |n: &usize| {
         let s = &stretches[*n];
         let from = s.start.saturating_sub(1);
         let known = poses.get(from..(s.end + 1).min(poses.len())).unwrap_or_default();
         let of = |j: usize| -> Vec<Vec<ToolSolid>> {
-            let stand = |p: &[Pose; 2]| solids(&segments[j], work.tools[j].radius_mm, &p[j].centre, &p[j].axis);
+            let stand = |p: &[Pose; 2]| solids(&segments[j], tools[j].radius_mm, &p[j].centre, &p[j].axis);
             known.iter().flatten().map(stand).collect()
         };
-        let theta = work.held.get(*n).map_or(0.0, |h| h.ends_rad()[0]);
-        let out = Vector::new(0.0, theta.cos(), theta.sin());
-        let ways = Ways { tools: [of(0), of(1)], out, asked_mm: work.tools_apart_mm };
+        // The side of the blade axis that tool 1 is on.
+        let side = known.iter().flatten().map(|p| Vector::new(0.0, p[0].axis.y, p[0].axis.z)).next();
+        let out = side.and_then(|v| v.try_normalize(1e-9)).unwrap_or_default();
+        let ways = Ways { tools: [of(0), of(1)], out, asked_mm };
         (ways.apart_mm(), *n)
     };
     let all: Vec<(f64, usize)> = parallel::map(&(0..stretches.len()).collect::<Vec<_>>(), one);
     let (least_mm, n) = all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, 0));
     let quantity = "least distance of the two tools between wait marks, however far one lags, as far as asked for";
-    let note = format!("stretch {}; asked for {}", n + 1, work.tools_apart_mm);
+    let note = format!("stretch {}; asked for {asked_mm}", n + 1);
     Check {
-        passed: least_mm >= work.tools_apart_mm,
-        ..Check::at_most(CheckId::ToolsApart, quantity, least_mm, work.tools_apart_mm, "mm", note)
+        passed: least_mm >= asked_mm,
+        ..Check::at_most(CheckId::ToolsApart, quantity, least_mm, asked_mm, "mm", note)
     }
 }
 

@@ -14,7 +14,7 @@ use super::pinch_channels as channels;
 use super::sweep::Sweep;
 use crate::artifact::paired::PinchMotion;
 use crate::artifact::report::Check;
-use crate::artifact::{AxisCheck, CheckId, PartAmong, Stand};
+use crate::artifact::{AxisCheck, Blade, CheckId, Obstacle, PartAmong, Stand};
 use crate::geometry::allowance::Allowed;
 use crate::geometry::{Point, Vector};
 use crate::machine::{Machine, Pose};
@@ -57,51 +57,74 @@ pub fn check_pinch_program(
     options: &VerifyOptions,
 ) -> Vec<Check> {
     let is_two = texts.len() == 2;
-    let mut programs = Vec::with_capacity(texts.len());
-    for (k, text) in texts.iter().enumerate() {
-        let program = read(text, machine, is_two.then_some(k)).and_then(|p| match p.marks.first() {
-            Some(mark) if !is_two => Err((mark.line, "it waits for another channel".into())),
-            _ => Ok(p),
-        });
-        match program {
-            Ok(program) => programs.push(program),
-            Err((number, what)) => {
-                let of = if is_two { format!(" of channel {}", k + 1) } else { String::new() };
-                let note = format!("line {number}{of}: {what}");
-                return vec![Check::at_most(CheckId::ProgramReadable, "lines that cannot be read", 1.0, 0.0, "", note)];
-            }
+    let programs = match read_all(texts, machine) {
+        Ok(programs) => programs,
+        Err(note) => {
+            return vec![Check::at_most(CheckId::ProgramReadable, "lines that cannot be read", 1.0, 0.0, "", note)];
         }
-    }
-    let mut checks = set(&programs, asked);
-    let lines = match &programs[..] {
-        [one, two] => {
-            let met = channels::meet([one, two], work, machine);
-            checks.extend(met.checks);
-            let Some(lines) = met.lines else { return checks };
-            lines
-        }
-        _ => programs.iter().flat_map(|p| p.parts.iter().flatten().cloned()).collect(),
     };
-    let gauges = work.tools.map(Tool::length_mm);
-    let poses: Vec<Option<[Pose; 2]>> = lines
-        .iter()
-        .map(|l| {
-            let known = l.at.iter().all(|v| v.is_finite());
-            let pose = |head: usize| machine.forward_of(head, &l.at, gauges[head]);
-            Some([pose(0)?, pose(1)?]).filter(|_| known)
-        })
-        .collect();
+    let mut checks = set(&programs, asked);
+    let (met, lines) = joined(&programs, Some(work.held.len()), machine);
+    checks.extend(met);
+    let Some(lines) = lines else { return checks };
+    let poses = poses_of(&lines, work.tools, machine);
     let found = matched(work, &lines, &poses);
     checks.extend(found.checks(&lines, asked.cutting_s));
     checks.push(within_lines(work, machine, &lines, &poses, &found));
-    checks.push(rapids(work, &lines, &poses, turning_mm(work, machine)));
+    checks.push(rapids(work.tools, &lines, &poses, turning_mm(work.blade, work.obstacles, machine)));
     checks.push(travels(&lines, machine));
     checks.extend(ways(work, &poses, &found, options));
     if is_two && found.missing == 0 {
         checks.push(channels::rendezvous(work, &lines, &poses, &found.stretches));
-        checks.push(channels::lagging(work, &poses, &found.stretches));
+        checks.push(channels::lagging((work.tools, work.tools_apart_mm), &poses, &found.stretches));
     }
     checks
+}
+
+/// Reads a program, or that of each of two channels.
+///
+/// # Errors
+/// The line that cannot be read and what is wrong with it, in words.
+pub(super) fn read_all(texts: &[&str], machine: &Machine) -> Result<Vec<Read>, String> {
+    let is_two = texts.len() == 2;
+    let one = |(k, text): (usize, &&str)| {
+        let program = read(text, machine, is_two.then_some(k)).and_then(|p| match p.marks.first() {
+            Some(mark) if !is_two => Err((mark.line, "it waits for another channel".into())),
+            _ => Ok(p),
+        });
+        program.map_err(|(number, what)| {
+            let of = if is_two { format!(" of channel {}", k + 1) } else { String::new() };
+            format!("line {number}{of}: {what}")
+        })
+    };
+    texts.iter().enumerate().map(one).collect()
+}
+
+/// The lines of all programs in one order, `None` where channels never meet, and what was found
+/// where they do. `stretches`: how many there should be.
+pub(super) fn joined(
+    programs: &[Read],
+    stretches: Option<usize>,
+    machine: &Machine,
+) -> (Vec<Check>, Option<Vec<Line>>) {
+    match programs {
+        [one, two] => {
+            let met = channels::meet([one, two], stretches, machine);
+            (met.checks, met.lines)
+        }
+        _ => (Vec::new(), Some(programs.iter().flat_map(|p| p.parts.iter().flatten().cloned()).collect())),
+    }
+}
+
+/// Where both tools stand behind each line; `None` until the program has said where all axes are.
+pub(super) fn poses_of(lines: &[Line], tools: [&Tool; 2], machine: &Machine) -> Vec<Option<[Pose; 2]>> {
+    let gauges = tools.map(Tool::length_mm);
+    let pose = |l: &Line| {
+        let known = l.at.iter().all(|v| v.is_finite());
+        let pose = |head: usize| machine.forward_of(head, &l.at, gauges[head]);
+        Some([pose(0)?, pose(1)?]).filter(|_| known)
+    };
+    lines.iter().map(pose).collect()
 }
 
 /// What a program sets before it cuts, and that it ends.
@@ -316,20 +339,20 @@ fn height_mm(tool: &Tool, pose: &Pose) -> f64 {
 /// The height over the blade axis, mm, beyond which nothing is that turns with the table: the
 /// greatest distance of a point of the part and what stands about it from the table's axis, and
 /// that of the blade axis.
-fn turning_mm(work: &PinchWork, machine: &Machine) -> f64 {
-    let part = PartAmong { blade: work.blade, obstacles: work.obstacles };
+pub(super) fn turning_mm(blade: &Blade, obstacles: &[Obstacle], machine: &Machine) -> f64 {
+    let part = PartAmong { blade, obstacles };
     machine.turns_within_mm(&part).unwrap_or(f64::INFINITY)
 }
 
 /// In rapids both tools stay over what the part turns in: axes that go straight keep a tool over a
 /// plane that it is over at both ends, and the part turns under that plane.
-fn rapids(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>], turning_mm: f64) -> Check {
+pub(super) fn rapids(tools: [&Tool; 2], lines: &[Line], poses: &[Option<[Pose; 2]>], turning_mm: f64) -> Check {
     let (mut least, mut at) = (f64::INFINITY, None);
     for i in (0..lines.len()).filter(|i| lines[*i].is_rapid) {
         let ends = [i.checked_sub(1).and_then(|b| poses[b]), poses[i]];
         for pose in ends.into_iter().flatten() {
             for j in 0..2 {
-                let height = height_mm(work.tools[j], &pose[j]);
+                let height = height_mm(tools[j], &pose[j]);
                 if height < least {
                     (least, at) = (height, Some(i));
                 }
@@ -350,7 +373,7 @@ fn rapids(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>], turning
     }
 }
 
-fn travels(lines: &[Line], machine: &Machine) -> Check {
+pub(super) fn travels(lines: &[Line], machine: &Machine) -> Check {
     let (mut worst, mut where_) = (0.0, String::new());
     for l in lines {
         for (axis, at) in machine.axes().iter().zip(l.at.iter()) {

@@ -6,12 +6,15 @@
 //!
 //! [`Block`]: super::Block
 
+use std::collections::BTreeSet;
+
 use super::gcode::code;
 use crate::artifact::Axes;
 use crate::machine::Machine;
 
 /// Names without a number that move nothing.
-const WORDS: [&str; 9] = ["TRAFOOF", "TRANS", "SUPA", "SOFT", "FFWON", "FFWOF", "COMPOF", "RTLION", "FGROUP()"];
+const WORDS: [&str; 10] =
+    ["TRAFOOF", "TRANS", "SUPA", "SOFT", "FFWON", "FFWOF", "COMPOF", "RTLION", "FGROUP()", "STOPRE"];
 /// G words that move nothing and whose meaning stays.
 const SET: [f64; 15] = [5.1, 17.0, 21.0, 40.0, 49.0, 53.0, 54.0, 64.0, 80.0, 90.0, 93.0, 94.0, 500.0, 642.0, 710.0];
 
@@ -88,6 +91,7 @@ pub fn read(text: &str, machine: &Machine, channel: Option<usize>) -> Result<Rea
         at: Axes::from_fn(machine.axes().len(), |_| f64::NAN),
         rapid: true,
         inverse: false,
+        feed: None,
         seen: Vec::new(),
         began: false,
         out: Read { parts: vec![Vec::new()], ..Read::default() },
@@ -101,6 +105,14 @@ pub fn read(text: &str, machine: &Machine, channel: Option<usize>) -> Result<Rea
     Ok(reader.out)
 }
 
+/// The names of all words of a program, as far as its comments can be told from it: what stands
+/// before a number, an equals sign or a bracket.
+pub fn names(text: &str) -> BTreeSet<String> {
+    let name = |word: &str| word.split(|c: char| "=(-+.".contains(c) || c.is_ascii_digit()).next().map(str::to_owned);
+    let code = |line: &str| code(line).unwrap_or_default();
+    text.lines().flat_map(|line| code(line).split_whitespace().filter_map(name).collect::<Vec<_>>()).collect()
+}
+
 /// How far the words of a program have led.
 struct Reader<'a> {
     machine: &'a Machine,
@@ -109,6 +121,8 @@ struct Reader<'a> {
     at: Axes,
     rapid: bool,
     inverse: bool,
+    /// F per minute that was given last.
+    feed: Option<f64>,
     seen: Vec<String>,
     /// It has moved at a feed.
     began: bool,
@@ -164,7 +178,9 @@ impl Reader<'_> {
 
     /// The axes have new places.
     fn moved(&mut self, number: usize, block: &Block, before: &Axes) -> Result<(), String> {
-        let seconds = match (self.rapid, block.feed) {
+        // Under G94 the last F counts on.
+        self.feed = block.feed.or(self.feed.filter(|_| !self.inverse));
+        let seconds = match (self.rapid, self.feed) {
             (true, _) => None,
             (false, Some(f)) if f > 0.0 && f.is_finite() => Some(self.seconds(f, before)),
             (false, _) => return Err("a line that cuts without F over 0".into()),
@@ -223,8 +239,12 @@ impl Reader<'_> {
         if WORDS.contains(&word) {
             return Ok(());
         }
-        if let Some(inside) = inside(word, "WAITM") {
+        // WAITMC brakes only where the other channel is late, and is passed by both together too.
+        if let Some(inside) = inside(word, "WAITM").or_else(|| inside(word, "WAITMC")) {
             return self.mark(number, inside);
+        }
+        if inside(word, "SETMS").is_some_and(|n| n == "1" || n == "2") {
+            return Ok(());
         }
         if let Some(inside) = inside(word, "FGROUP") {
             let known = |name: &str| self.machine.axes().iter().any(|a| a.name == name);
@@ -247,7 +267,9 @@ impl Reader<'_> {
         match name {
             "G" if value == 0.0 || value == 1.0 => self.rapid = value == 0.0,
             "G" if SET.contains(&value) => {
-                self.inverse = if value == 93.0 || value == 94.0 { value == 93.0 } else { self.inverse };
+                if value == 93.0 || value == 94.0 {
+                    (self.inverse, self.feed) = (value == 93.0, None);
+                }
                 self.seen.push(format!("G{value}"));
             }
             "G" if value == 4.0 => block.waits = true,
@@ -257,7 +279,9 @@ impl Reader<'_> {
                 block.spindle = name[1..].parse::<usize>().ok().map(|n| n - 1).or(block.spindle);
             }
             "M" if value == 2.0 || value == 30.0 => self.out.ends = true,
-            "M" if value == 8.0 || value == 9.0 => {}
+            // Coolant, stops, a tool that is put in: none moves an axis.
+            "M" if [0.0, 1.0, 6.0, 7.0, 8.0, 9.0].contains(&value) => {}
+            "T" if value >= 0.0 => {}
             "S" => block.speed = Some(value),
             "S1" | "S2" => (block.speed, block.spindle) = (Some(value), name[1..].parse::<usize>().ok().map(|n| n - 1)),
             "$" if value == 0.0 || value == 1.0 => block.spindle = Some(value as usize),

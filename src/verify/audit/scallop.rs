@@ -13,6 +13,7 @@
 use super::AuditScene;
 use super::line_check::{LineCheck, LineLimit};
 use crate::artifact::CheckId;
+use crate::geometry::allowance::Allowed;
 use crate::parallel;
 use crate::verify::between::{Height, Heights, LEAST_REACH_MM, NEAR_MM, REACH_STEPOVERS, between, percentile, sorted};
 use crate::verify::cutter::ridges::{self, Passes};
@@ -26,7 +27,7 @@ const FEWEST: usize = 40;
 const MISSING: f64 = 1.6;
 /// Where no scallop is asked for, the greatest that is looked for, as a share of
 /// the radius of ball or corner.
-const WIDEST: f64 = 0.02;
+pub(in crate::verify) const WIDEST: f64 = 0.02;
 
 /// The scallop that reaches are measured by, mm.
 pub(super) fn widest_mm(scene: &AuditScene) -> f64 {
@@ -47,20 +48,32 @@ pub(super) fn heights(scene: &AuditScene, sweep: &Sweep) -> Heights {
         };
         return ridges::heights(&passes, sweep);
     }
+    of_ball(&scene.part, sweep, &[], widest_mm(scene), scene.options.settings.surface_samples as usize)
+}
+
+/// Heights between the passes of a ball, less what other balls take off there, too; at about so
+/// many samples.
+pub(in crate::verify) fn of_ball(
+    part: &Allowed,
+    sweep: &Sweep,
+    others: &[&Sweep],
+    widest_mm: f64,
+    count: usize,
+) -> Heights {
     let radius = sweep.radius_mm;
-    let widest = widest_mm(scene);
-    let reach = (REACH_STEPOVERS * (8.0 * radius * widest).sqrt()).max(LEAST_REACH_MM);
+    let reach = (REACH_STEPOVERS * (8.0 * radius * widest_mm).sqrt()).max(LEAST_REACH_MM);
     let ends = near_ends(sweep, reach + (2.0 * radius * NEAR_MM).sqrt());
     let height = |s: &Sample| {
         let q = s.point + s.normal * radius;
         let (leg, gap_mm) =
             between(sweep, &q, reach, |legs| legs.iter().all(|(leg, _)| ends.get(*leg) == Some(&false)))?;
-        let raw = sweep.entry(&s.point, &s.normal, reach)?;
+        let entries = others.iter().filter_map(|other| other.entry(&s.point, &s.normal, reach));
+        let raw = entries.fold(sweep.entry(&s.point, &s.normal, reach)?, f64::min);
         // What no ball of this radius could reach is no fault of the passes.
-        let up = lift(&scene.part, &s.point, &s.normal, radius, REACH_SLACK * widest);
+        let up = lift(part, &s.point, &s.normal, radius, REACH_SLACK * widest_mm);
         Some(Height { height_mm: raw.min((raw - up).max(0.0)), point: s.point, leg, gap_mm })
     };
-    let all = samples::near_path(&scene.part, sweep, reach, scene.options.settings.surface_samples as usize);
+    let all = samples::near_path(part, sweep, reach, count);
     sorted(parallel::filter_map(&all.points, height))
 }
 
