@@ -115,6 +115,8 @@ fn faults_planted_in_a_program_are_found() {
     assert!(far.contains(&CheckId::ProgramTravel), "{far:?}");
     let unreadable = audited(&[&with_line(text, 40, is_cut, |_| "G2 X1".into())]).expect_err("an arc");
     assert!(unreadable.contains("the word G2") && unreadable.starts_with("line "), "{unreadable}");
+    let nowhere = audited(&[&with_line(text, 40, is_cut, |_| "G1 X-1e308 F9".into())]).expect_err("no place");
+    assert!(nowhere.contains("X at -1e308, which is no position of it"), "{nowhere}");
     assert!(audited(&["G90\nM2\n"]).expect_err("nothing").contains("no line of the program moves at a feed"));
 }
 

@@ -257,9 +257,23 @@ pub struct StretchMotion {
     pub over: [Axes; 2],
     /// How far both tools are lifted there, along their axes, mm.
     pub lifts_mm: [[f64; 2]; 2],
+    /// All axes where the way down slows: both tools at the feed height over the first place, or as
+    /// far as they are lifted where that is less.
+    pub near: Axes,
+    /// How far both are lifted there, mm.
+    pub near_mm: [f64; 2],
 }
 
 impl StretchMotion {
+    /// Time of both parts of the way down, and of the way up, s, at these feeds, mm/min.
+    pub fn ways_s(&self, approach_mm_min: f64, plunge_mm_min: f64) -> [f64; 3] {
+        let longest = |mm: [f64; 2]| mm[0].max(mm[1]);
+        let [first, last] = self.lifts_mm;
+        let down_mm = [first[0] - self.near_mm[0], first[1] - self.near_mm[1]];
+        let ways = [(down_mm, approach_mm_min), (self.near_mm, plunge_mm_min), (last, approach_mm_min)];
+        ways.map(|(mm, feed)| 60.0 * longest(mm) / feed)
+    }
+
     /// The row of the motion at a place of the stretch, counted from its first.
     pub fn row_at(&self, place: usize) -> usize {
         if place + 1 == self.places.len() { self.motion.t_s.len().saturating_sub(1) } else { place }
@@ -273,6 +287,9 @@ pub struct PinchMotion {
     pub stretches: Vec<StretchMotion>,
     /// Time that both tools cut, s.
     pub cutting_s: f64,
+    /// Time of the ways down, up and from row to row, about, s: rapids by velocity and acceleration
+    /// of the slowest axis.
+    pub ways_s: f64,
     /// Time that each tool would take for its side alone, under the same limits, s.
     pub alone_s: [f64; 2],
     /// What tools stay beyond from stretch to stretch: heights over the blade axis of what the part

@@ -152,6 +152,7 @@ fn print_program(programmed: &PinchProgrammed, figures: Option<&files::ProgramSu
         let (share, alone) = (100.0 * f.share_of_one_after_the_other, f.one_after_the_other_s);
         row("both tools cut", format!("{:.1} s, {share:.1} % of {alone:.1} s for one tool on both sides", f.cutting_s));
         row("  at full feed all along", format!("{:.1} s", f.full_feed_s));
+        row("  ways down, up, from row to row", format!("{:.1} s, about", f.ways_s));
     }
     row("from row to row", format!("outside {:.1} mm of the blade axis", programmed.motion.turning_mm));
     print_failed(&programmed.checks);

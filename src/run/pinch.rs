@@ -91,6 +91,8 @@ pub struct PinchSummary {
 pub struct ProgramSummary {
     /// Time that both tools cut, s.
     pub cutting_s: f64,
+    /// Time of the ways down, up and from row to row, about, s.
+    pub ways_s: f64,
     /// Time that each tool would take for its side alone, s.
     pub alone_s: [f64; 2],
     /// Both of these, one after the other, s.
@@ -157,6 +159,7 @@ fn program(setup: &Setup, pinch: &Pinch, programmed: &PinchProgrammed) -> Progra
     let longest_mm = [0, 1].map(|k| pinch.rows.length_mm(k)).into_iter().fold(0.0, f64::max);
     ProgramSummary {
         cutting_s: motion.cutting_s,
+        ways_s: motion.ways_s,
         alone_s: motion.alone_s,
         one_after_the_other_s: all_s,
         share_of_one_after_the_other: motion.cutting_s / all_s.max(f64::MIN_POSITIVE),

@@ -12,7 +12,7 @@ use super::options::VerifyOptions;
 use super::pinch::PinchWork;
 use super::pinch_channels as channels;
 use super::sweep::Sweep;
-use crate::artifact::paired::PinchMotion;
+use crate::artifact::paired::{Held, PinchMotion};
 use crate::artifact::report::Check;
 use crate::artifact::{AxisCheck, Blade, CheckId, Obstacle, PartAmong, Stand};
 use crate::geometry::allowance::Allowed;
@@ -75,8 +75,8 @@ pub fn check_pinch_program(
     checks.push(travels(&lines, machine));
     checks.extend(ways(work, &poses, &found, options));
     if is_two && found.missing == 0 {
-        checks.push(channels::rendezvous(work, &lines, &poses, &found.stretches));
-        checks.push(channels::lagging((work.tools, work.tools_apart_mm), &poses, &found.stretches));
+        checks.push(channels::rendezvous(work, &lines, &poses, &found.ways));
+        checks.push(channels::lagging((work.tools, work.tools_apart_mm), &poses, &found.ways));
     }
     checks
 }
@@ -163,6 +163,8 @@ fn set(programs: &[Read], asked: &PinchAsked) -> Vec<Check> {
 struct Matched {
     /// Lines of each stretch that was found: first to last.
     stretches: Vec<Range<usize>>,
+    /// The same from the first line of the way down on.
+    ways: Vec<Range<usize>>,
     places: usize,
     missing: usize,
     first_missing: Option<(usize, usize)>,
@@ -177,6 +179,7 @@ struct Matched {
 fn matched(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>]) -> Matched {
     let mut out = Matched {
         stretches: Vec::new(),
+        ways: Vec::new(),
         places: 0,
         missing: 0,
         first_missing: None,
@@ -224,16 +227,31 @@ fn matched(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>]) -> Mat
                 }
             }
         }
+        // The way down may slow on its way.
+        let slows =
+            |i: &usize| *i >= next && !lines[*i].is_rapid && poses[*i].as_ref().is_some_and(|p| is_over(work, held, p));
+        out.ways.push(from.checked_sub(1).filter(slows).unwrap_or(from)..last + 1);
         out.stretches.push(from..last + 1);
         next = last + 1;
     }
     // What cuts besides: all that is no rapid, but the way down before a stretch and up behind it.
     let mut mine = vec![false; lines.len()];
-    for s in &out.stretches {
+    for s in &out.ways {
         mine[s.start..(s.end + 1).min(lines.len())].fill(true);
     }
     out.strays = (0..lines.len()).filter(|i| !lines[*i].is_rapid && !mine[*i]).collect();
     out
+}
+
+/// Whether both tools stand on their own axes over the first place of a stretch.
+fn is_over(work: &PinchWork, held: &Held, poses: &[Pose; 2]) -> bool {
+    let place = held.places.start;
+    (0..2).all(|j| {
+        let over = if j == 0 { 0.0 } else { work.between_rad };
+        let axis = work.cones[j].tool_axis(held.theta_at(place) + over);
+        let way = poses[j].centre - work.rows.places[place].contacts[j].centre;
+        way.dot(&axis) >= 0.0 && way.cross(&axis).norm() <= CENTRE_MM
+    })
 }
 
 impl Matched {
@@ -432,9 +450,10 @@ fn ways(work: &PinchWork, poses: &[Option<[Pose; 2]>], found: &Matched, options:
     let mut checks = Vec::new();
     for j in 0..2 {
         let (mut centres, mut stands, mut wanted): (Vec<Point>, Vec<Stand>, Vec<bool>) = Default::default();
-        for s in &found.stretches {
+        for (s, way) in found.stretches.iter().zip(&found.ways) {
             // Down from the line before, and up to the line behind.
-            for ends in [[s.start.checked_sub(1), Some(s.start)], [s.end.checked_sub(1), Some(s.end)]] {
+            let down = (way.start..s.start + 1).map(|i| [i.checked_sub(1), Some(i)]);
+            for ends in down.chain([[s.end.checked_sub(1), Some(s.end)]]) {
                 let pose = |i: Option<usize>| poses.get(i?).copied().flatten().map(|p| p[j]);
                 let (Some(a), Some(b)) = (pose(ends[0]), pose(ends[1])) else { continue };
                 let over = a.axis.z.atan2(a.axis.y);

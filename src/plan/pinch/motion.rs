@@ -2,10 +2,11 @@
 //!
 //! Each stretch is one motion, from rest to rest, while both leans stand still, and mostly the
 //! table. Its parameter is the way of the tool that goes farther. Before it both tools come down
-//! along their own axes, behind it they leave along them, until every point of both is farther from
-//! the axis of the table than any point of the part: beyond a plane square to the tool's direction,
-//! which the part turns under. From stretch to stretch all axes move in a straight line between
-//! such places, so both tools stay beyond their planes, however far the table turns.
+//! along their own axes, slower from the feed height on. Behind it they leave along them, until
+//! every point of both is farther from the axis of the table than any point of the part: beyond a
+//! plane square to the tool's direction, which the part turns under. From stretch to stretch all
+//! axes move in a straight line between such places, so both tools stay beyond their planes,
+//! however far the table turns.
 
 use super::Pinch;
 use crate::artifact::paired::{Held, PinchMotion, StretchMotion};
@@ -44,7 +45,8 @@ pub fn motion(setup: &Setup, pinch: &Pinch, observer: &dyn Observer) -> Result<O
         stretches.push(heads.stretch(n, held, whole, observer)?);
     }
     let cutting_s = stretches.iter().map(|s| s.motion.time_s).sum();
-    Ok(Some(PinchMotion { stretches, cutting_s, alone_s, turning_mm: heads.turning_mm }))
+    let ways_s = heads.ways_s(&stretches);
+    Ok(Some(PinchMotion { stretches, cutting_s, ways_s, alone_s, turning_mm: heads.turning_mm }))
 }
 
 /// Those rows that take less time where the table turns along them than in stretches with the
@@ -123,6 +125,12 @@ impl<'a> Heads<'a> {
         self.setup.machine.place_both(centres, theta_rad, leans, gauges)
     }
 
+    /// Both tool axes at an angle of the table.
+    fn axes(&self, theta_rad: f64) -> [Vector; 2] {
+        let [one, two] = self.setup.pinch_cones();
+        [one.tool_axis(theta_rad), two.tool_axis(theta_rad + self.between_rad)]
+    }
+
     fn feed_mm_s(&self) -> f64 {
         self.setup.job.feed.feed_mm_min / 60.0
     }
@@ -155,29 +163,28 @@ impl<'a> Heads<'a> {
         let ends = [0, 1].map(|k| self.lifted(thetas[k], centres[k]));
         let over = [self.at(ends[0].1, thetas[0])?, self.at(ends[1].1, thetas[1])?];
         let lifts_mm = [ends[0].0, ends[1].0];
+        let near_mm = lifts_mm[0].map(|lift| lift.min(setup.job.post.feed_height_mm));
+        let axes = self.axes(thetas[0]);
+        let near = self.at([0, 1].map(|j| centres[0][j] + axes[j] * near_mm[j]), thetas[0])?;
         for row in over.iter().map(|r| &r[..]).chain(motion.position.iter()) {
             within_travel(machine, row, held.row)?;
         }
-        Ok(StretchMotion { stretch, row: held.row, places: held.places.clone(), motion, over, lifts_mm })
+        Ok(StretchMotion { stretch, row: held.row, places: held.places.clone(), motion, over, lifts_mm, near, near_mm })
     }
 
-    /// The time of the stretches of a row and of the ways between them, s: up, to the next and down
-    /// again.
+    /// The time of the stretches of a row and of the ways to them and between them, s.
     fn time_s(&self, stretches: &[Held], observer: &dyn Observer) -> Result<f64> {
+        let one = |(n, held): (usize, &Held)| self.stretch(n, held, self.rows(held)?, observer);
+        let all = stretches.iter().enumerate().map(one).collect::<Result<Vec<_>>>()?;
+        Ok(all.iter().map(|s| s.motion.time_s).sum::<f64>() + self.ways_s(&all))
+    }
+
+    /// The time of the ways down, up and from stretch to stretch, s.
+    fn ways_s(&self, stretches: &[StretchMotion]) -> f64 {
         let post = &self.setup.job.post;
-        let (mut sum, mut before) = (0.0, None::<StretchMotion>);
-        for (n, held) in stretches.iter().enumerate() {
-            let next = self.stretch(n, held, self.rows(held)?, observer)?;
-            sum += next.motion.time_s;
-            if let Some(last) = before {
-                let lift = |s: &StretchMotion, end: usize| s.lifts_mm[end][0].max(s.lifts_mm[end][1]);
-                sum += 60.0 * lift(&last, 1) / post.approach_feed_mm_min;
-                sum += self.setup.machine.rapid_s(&last.over[1], &next.over[0]);
-                sum += 60.0 * lift(&next, 0) / post.plunge_feed_mm_min;
-            }
-            before = Some(next);
-        }
-        Ok(sum)
+        let own = |s: &StretchMotion| s.ways_s(post.approach_feed_mm_min, post.plunge_feed_mm_min).iter().sum::<f64>();
+        let over = |w: &[StretchMotion]| self.setup.machine.rapid_s(&w[0].over[1], &w[1].over[0]);
+        stretches.iter().map(own).sum::<f64>() + stretches.windows(2).map(over).sum::<f64>()
     }
 
     /// The time that one tool takes for a stretch while the other head stands still, s.
@@ -212,11 +219,11 @@ impl<'a> Heads<'a> {
     /// How far both tools are lifted along their axes until the turning part is under them, and
     /// their ball centres then.
     fn lifted(&self, theta_rad: f64, centres: [Point; 2]) -> ([f64; 2], [Point; 2]) {
-        let cones = self.setup.pinch_cones();
+        let (cones, axes) = (self.setup.pinch_cones(), self.axes(theta_rad));
         let mut lifts = [0.0; 2];
         let lifted = [0, 1].map(|j| {
             let theta = theta_rad + if j == 0 { 0.0 } else { self.between_rad };
-            let (axis, out) = (cones[j].tool_axis(theta), Vector::new(0.0, theta.cos(), theta.sin()));
+            let (axis, out) = (axes[j], Vector::new(0.0, theta.cos(), theta.sin()));
             let tool = self.setup.pinch_tools()[j];
             let height = lowest_mm(&tool.segments(), tool.radius_mm, &centres[j], &axis, &out);
             lifts[j] = ((self.turning_mm + ROOM_MM - height) / cones[j].lean_rad.cos()).max(0.0);

@@ -18,6 +18,9 @@ const WORDS: [&str; 10] =
 /// G words that move nothing and whose meaning stays.
 const SET: [f64; 15] = [5.1, 17.0, 21.0, 40.0, 49.0, 53.0, 54.0, 64.0, 80.0, 90.0, 93.0, 94.0, 500.0, 642.0, 710.0];
 
+/// No machine has positions farther from its zero, mm and degrees.
+const FARTHEST: f64 = 1e5;
+
 /// What a line does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
@@ -301,7 +304,7 @@ impl Reader<'_> {
         let turns = inside(value, "DC").map(|v| (v, true));
         let (bare, within) = turns.or_else(|| inside(value, "AC").map(|v| (v, false))).unwrap_or((value, false));
         let at: f64 = bare.parse().map_err(|_| format!("{} without a number", axis.name))?;
-        if !at.is_finite() || within && !(0.0..360.0).contains(&at) {
+        if !(at.abs() <= FARTHEST) || within && !(0.0..360.0).contains(&at) {
             return Err(format!("{} at {bare}, which is no position of it", axis.name));
         }
         let at = at / axis.word_per_mm();

@@ -74,7 +74,7 @@ pub struct PinchText {
     pub approach: Vec<String>,
     /// Over the first place of a stretch; in two channels a wait mark.
     pub row: Vec<String>,
-    /// Down to it.
+    /// Down to it: to the feed height, and once more from there.
     pub down: Vec<String>,
     /// Each place after it.
     pub cut: Vec<String>,

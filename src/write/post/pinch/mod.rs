@@ -231,12 +231,16 @@ impl<'a> Writer<'a> {
         if motion.position.is_empty() {
             return Ok(());
         }
-        let lift_s =
-            |k: usize, feed: f64| (60.0 * stretch.lifts_mm[k][0].max(stretch.lifts_mm[k][1]) / feed).max(LEAST_S);
+        let [down_s, plunge_s, up_s] = stretch.ways_s(p.settings.approach_feed_mm_min, p.settings.plunge_feed_mm_min);
         (self.place, self.at) = ([stretch.row, stretch.stretch], stretch.over[0]);
         self.lines.mark();
         self.put(&text.row)?;
-        (self.at, self.takes_s) = (Axes::from(&motion.position[0]), lift_s(0, p.settings.plunge_feed_mm_min));
+        // Down to the feed height, and slower from there on.
+        if down_s > LEAST_S {
+            (self.at, self.takes_s) = (stretch.near, down_s);
+            self.put(&text.down)?;
+        }
+        (self.at, self.takes_s) = (Axes::from(&motion.position[0]), plunge_s.max(LEAST_S));
         self.put(&text.down)?;
         // A motion from one place to the next has rows between them, which are no lines.
         for place in 1..stretch.places.len() {
@@ -245,7 +249,7 @@ impl<'a> Writer<'a> {
             let lines = if self.channel.is_some() && self.is_still()? { &text.stand } else { &text.cut };
             self.put(lines)?;
         }
-        (self.at, self.takes_s) = (stretch.over[1], lift_s(1, p.settings.approach_feed_mm_min));
+        (self.at, self.takes_s) = (stretch.over[1], up_s.max(LEAST_S));
         self.put(&text.up)
     }
 
@@ -319,7 +323,10 @@ impl<'a> Writer<'a> {
             p.motion.stretches.len(),
             axes[turning].name
         ));
-        lines.comment(&format!("Cutting {:.1} s, without the ways from row to row.", p.motion.cutting_s));
+        lines.comment(&format!(
+            "Cutting {:.1} s, and about {:.1} s for the ways down, up and from row to row.",
+            p.motion.cutting_s, p.motion.ways_s
+        ));
     }
 
     /// Writes lines.

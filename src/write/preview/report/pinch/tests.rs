@@ -102,9 +102,18 @@ fn motion() -> PinchMotion {
         };
         let over = [Axes::from_fn(9, |_| 0.0), Axes::from_fn(9, |_| 0.0)];
         let places = stretch * PLACES..(stretch + 1) * PLACES;
-        StretchMotion { stretch, row: stretch, places, motion, over, lifts_mm: [[10.0; 2]; 2] }
+        StretchMotion {
+            stretch,
+            row: stretch,
+            places,
+            motion,
+            over,
+            near: over[0],
+            lifts_mm: [[10.0; 2]; 2],
+            near_mm: [5.0; 2],
+        }
     };
-    PinchMotion { stretches: vec![one(0), one(1)], cutting_s: 8.0, alone_s: [8.0, 4.0], turning_mm: 10.0 }
+    PinchMotion { stretches: vec![one(0), one(1)], cutting_s: 8.0, ways_s: 3.0, alone_s: [8.0, 4.0], turning_mm: 10.0 }
 }
 
 fn figures() -> Value {
