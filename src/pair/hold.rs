@@ -40,8 +40,8 @@ pub struct Turning<'a> {
 pub struct Planned {
     /// All stretches, in order.
     pub held: Vec<Held>,
-    /// Those along which the table turns: their numbers, and the least steepest slope that there
-    /// is, rad/mm.
+    /// Stretches along which the table was planned to turn: their numbers, and what no angles fall
+    /// below in their steepest slope, rad/mm.
     pub least_slopes: Vec<(usize, f64)>,
 }
 
@@ -140,13 +140,12 @@ fn turns(
         None => row.turned().ok()?,
         Some(posture) => {
             let theta_rad = row.local(&posture[places.clone()])?;
-            let (slope, least_slope) = (f64::NAN, row.least_slope());
-            vec![Turned { places: 0..places.len(), theta_rad, slope, least_slope }]
+            vec![Turned { places: 0..places.len(), theta_rad, least_slope: row.least_slope() }]
         }
     };
     let one = |turned: Turned| {
         let own = places.start + turned.places.start..places.start + turned.places.end;
-        let Turned { theta_rad, least_slope, .. } = turned;
+        let Turned { theta_rad, least_slope, places: _ } = turned;
         let is_clear = theta_rad.len() == own.len() && clear(&own, &|k| theta_rad[k - own.start]);
         let margins = own.clone().zip(&theta_rad).map(|(k, theta)| common[k].margin(*theta));
         let margin_rad = margins.fold(f64::INFINITY, f64::min);

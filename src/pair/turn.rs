@@ -52,9 +52,7 @@ pub struct Turned {
     pub places: Range<usize>,
     /// The angle at each, rad.
     pub theta_rad: Vec<f64>,
-    /// Their steepest slope, rad/mm.
-    pub slope: f64,
-    /// No angles with that margin are less steep, rad/mm.
+    /// No angles with that margin are less steep at their steepest place, rad/mm.
     pub least_slope: f64,
 }
 
@@ -180,17 +178,12 @@ impl TurningRow<'_> {
         let near = [NEAR * enough, f64::INFINITY].into_iter();
         let chain = near.map(|slope| (slope, self.reached_to(&places, slope))).find_map(|(s, l)| Some((s, l?)));
         let Some((slope, layers)) = chain else {
-            return Turned { places, theta_rad: Vec::new(), slope: f64::NAN, least_slope: too_flat };
+            return Turned { places, theta_rad: Vec::new(), least_slope: too_flat };
         };
         let steps: Vec<f64> = moves.clone().map(|k| self.step_rad(k, slope)).collect();
         let walls = chain_of(&layers, &steps);
         let theta_rad = self.least_of(Least::Bends, &walls, &steps, &self.way_mm[moves.clone()]);
-        let slopes = theta_rad.windows(2).zip(moves).map(|(w, k)| match (w[1] - w[0]).abs() {
-            0.0 => 0.0,
-            turn => turn / self.way_mm[k],
-        });
-        let steepest = slopes.fold(0.0, f64::max);
-        Turned { places, theta_rad, slope: steepest, least_slope: too_flat }
+        Turned { places, theta_rad, least_slope: too_flat }
     }
 
     pub(super) fn reached_to(&self, places: &Range<usize>, slope: f64) -> Option<Vec<Vec<Node>>> {
@@ -309,6 +302,12 @@ mod tests {
 
     use super::*;
 
+    /// The steepest slope of angles, rad/mm.
+    fn steepest(found: &Turned, way_mm: &[f64]) -> f64 {
+        let slopes = found.theta_rad.windows(2).zip(&way_mm[found.places.start..]);
+        slopes.map(|(w, way)| (w[1] - w[0]).abs() / way).fold(0.0, f64::max)
+    }
+
     fn tube(walls: &[[f64; 2]]) -> Vec<FreeAngles> {
         walls.iter().map(|w| FreeAngles::of([*w])).collect()
     }
@@ -341,8 +340,9 @@ mod tests {
                 }
             }
             let found = &all[0];
+            let slope = steepest(found, &way_mm);
             prop_assert!(found.least_slope <= asked + 1e-12 && found.least_slope >= asked * (1.0 - 1e-6), "{} {asked}", found.least_slope);
-            prop_assert!(found.slope <= NEAR * (1.0 + 1e-4) * asked + 1e-12, "{} {asked}", found.slope);
+            prop_assert!(slope <= NEAR * (1.0 + 1e-4) * asked + 1e-12, "{slope} {asked}");
             prop_assert!(found.theta_rad.iter().zip(&common).all(|(theta, free)| free.margin(*theta) >= -1e-9));
         }
     }
@@ -361,7 +361,8 @@ mod tests {
         assert_eq!(all.len(), 1);
         let theta = &all[0].theta_rad;
         assert!(theta.iter().zip(&common).all(|(theta, free)| free.margin(*theta) >= 0.01 - 1e-9), "{theta:?}");
-        assert!(all[0].slope > 0.0 && all[0].slope <= NEAR * 1.001 * all[0].least_slope, "{:?}", all[0]);
+        let slope = steepest(&all[0], &[1.0; 19]);
+        assert!(slope > 0.0 && slope <= NEAR * 1.001 * all[0].least_slope, "{:?}", all[0]);
     }
 
     #[test]
@@ -387,6 +388,6 @@ mod tests {
         let all = [FreeAngles::all(), FreeAngles::all(), FreeAngles::all()];
         let found =
             TurningRow { common: &all, way_mm: &[1.0; 2], most_rad: &[1.0; 2], margin_rad: 0.1 }.turned().unwrap();
-        assert!(found[0].slope < 1e-12 && found[0].least_slope == 0.0, "{found:?}");
+        assert!(steepest(&found[0], &[1.0; 2]) < 1e-12 && found[0].least_slope == 0.0, "{found:?}");
     }
 }

@@ -114,6 +114,79 @@ fn sphere(centre: Point, radius: f64, n: usize) -> Mesh {
     mesh
 }
 
+/// The tilt at which a cylinder of that radius about an axis through the ball's centre reaches the
+/// point `over_mm` over the ball and `beside_mm` beside it: `beside cos φ − over sin φ = radius`.
+fn tilt_to_a_rim(over_mm: f64, beside_mm: f64, radius_mm: f64) -> f64 {
+    (radius_mm / beside_mm.hypot(over_mm)).acos() - over_mm.atan2(beside_mm)
+}
+
+/// What is free about straight up, +y, for a cylinder of R 3 with a clearance of 0.2, is what a rim
+/// on either side leaves, to 0.01°.
+fn leaves_the_tilt_of_its_rim(mesh: &Mesh, over_mm: f64, beside_mm: f64) {
+    let mut cylinder = tool(3.0, 0.0);
+    cylinder.holder.clear();
+    cylinder.stickout_mm = 60.0;
+    let tilt = tilt_to_a_rim(over_mm, beside_mm, 3.2);
+    let all = free(mesh, &cylinder, &leaning(0.0), &Point::origin(), &Vector::y());
+    let up = all.iter().find(|f| f.lo <= 0.0 && 0.0 <= f.hi).expect("free straight up");
+    assert!(up.hi <= tilt + 1e-9 && up.hi >= tilt - TOL, "{} {tilt}", up.hi);
+    assert!(up.lo >= -tilt - 1e-9 && up.lo <= TOL - tilt, "{} {tilt}", up.lo);
+}
+
+/// A wall round +y: for each corner of the base a height and a radius below and above.
+fn wall_round_y(facets: u32, centre: Point, [below, above]: [[f64; 2]; 2]) -> Mesh {
+    let mut mesh = Mesh::default();
+    for [height, radius] in [below, above] {
+        mesh.points.extend((0..facets).map(|k| {
+            let (s, c) = (TAU * f64::from(k) / f64::from(facets)).sin_cos();
+            centre + Vector::new(radius * s, height, radius * c)
+        }));
+    }
+    for k in 0..facets {
+        let (a, b) = (k, (k + 1) % facets);
+        mesh.triangles.extend([[a, b, a + facets], [b, b + facets, a + facets]]);
+    }
+    mesh
+}
+
+#[test]
+fn between_two_plates_the_tilt_is_the_closed_form() {
+    let mut mesh = Mesh::default();
+    for z in [-7.0, 7.0] {
+        let n = mesh.points.len() as u32;
+        let corners = [[-80.0, -30.0], [80.0, -30.0], [80.0, 12.0], [-80.0, 12.0]];
+        mesh.points.extend(corners.map(|[x, y]| Point::new(x, y, z)));
+        mesh.triangles.extend([[n, n + 1, n + 2], [n, n + 2, n + 3]]);
+    }
+    leaves_the_tilt_of_its_rim(&mesh, 12.0, 7.0);
+}
+
+/// The wall leans by 10° outward, less than the tool may tilt: its rim is in the way.
+#[test]
+fn in_a_cone_shaped_well_the_tilt_is_the_closed_form() {
+    let (rim, over) = (9.0, 20.0);
+    let foot = rim - (over + 6.0) * 10f64.to_radians().tan();
+    let mesh = wall_round_y(360, Point::origin(), [[-6.0, foot], [over, rim]]);
+    assert!(tilt_to_a_rim(over, rim, 3.2) > 10f64.to_radians());
+    leaves_the_tilt_of_its_rim(&mesh, over, rim);
+}
+
+/// Eight posts stand round the ball; in the plane of the tilt two of them, and no other is as near
+/// to the tool as their tops.
+#[test]
+fn in_a_ring_of_posts_the_tilt_is_the_closed_form() {
+    let (away, radius, over) = (12.0, 2.0, 25.0);
+    let mut mesh = Mesh::default();
+    for k in 0..8 {
+        let (s, c) = (TAU * f64::from(k) / 8.0).sin_cos();
+        let post = wall_round_y(180, Point::new(away * s, 0.0, away * c), [[-20.0, radius], [over, radius]]);
+        let n = mesh.points.len() as u32;
+        mesh.points.extend(post.points);
+        mesh.triangles.extend(post.triangles.iter().map(|t| t.map(|p| p + n)));
+    }
+    leaves_the_tilt_of_its_rim(&mesh, over, away - radius);
+}
+
 #[test]
 fn contact_angles_limit_in_closed_form() {
     let t = tool(4.0, 0.0);

@@ -183,7 +183,9 @@ impl Setup {
             timed(observer, Stage::Schedule, || self.shared(&rows, own, (cones, between_rad), asked, observer))?;
         let Shared { rows, cut_off, own, common, planned, postures } = shared;
         let (checks, figures) = (Vec::new(), PinchFigures::default());
-        let rows_without = rows.rows.len() - planned.least_slopes.len();
+        let mut turning: Vec<usize> = planned.least_slopes.iter().map(|(n, _)| planned.held[*n].row).collect();
+        turning.dedup();
+        let rows_without = rows.rows.len() - turning.len();
         let least_slope = planned.least_slopes.iter().map(|(_, slope)| *slope).fold(0.0, f64::max);
         let mut pinch = Pinch {
             rows,
