@@ -552,8 +552,12 @@ fn tools_stay_apart_however_far_one_lags() {
     let texts = channels();
     let apart = |asked_mm: f64| {
         let work = PinchWork { tools_apart_mm: asked_mm, ..setup.pinch_work(pinch) };
-        let asked =
-            PinchAsked { cutting_s: programmed.motion.cutting_s, spindle_rpm: [6000.0; 2], tolerance_mm: 0.001 };
+        let asked = PinchAsked {
+            cutting_s: programmed.motion.cutting_s,
+            spindle_rpm: [6000.0; 2],
+            tolerance_mm: 0.001,
+            skew_s: None,
+        };
         let texts = [texts[0].as_str(), texts[1].as_str()];
         let checks = verify::check_pinch_program(&texts, &work, &setup.machine, &asked, &setup.verify_options());
         checks.into_iter().find(|c| c.id == CheckId::ToolsApart).expect("the check")
@@ -623,7 +627,7 @@ fn the_second_tool_has_a_ball_of_its_own() {
     // A second tool like the first: its ball is elsewhere by what the lengths differ.
     let alike = PinchWork { tools: [tools[0]; 2], ..setup.pinch_work(&pinch) };
     let cutting_s = programmed.motion.cutting_s;
-    let asked = PinchAsked { cutting_s, spindle_rpm: [6000.0, 4500.0], tolerance_mm: 0.001 };
+    let asked = PinchAsked { cutting_s, spindle_rpm: [6000.0, 4500.0], tolerance_mm: 0.001, skew_s: None };
     let checks = verify::check_pinch_program(&[text.as_str()], &alike, &setup.machine, &asked, &setup.verify_options());
     assert!(checks.iter().any(|c| c.id == CheckId::ProgramMissing && !c.passed), "{checks:?}");
     let same = PinchAsked { spindle_rpm: [6000.0; 2], ..asked };
@@ -878,7 +882,7 @@ fn failed(pinch: &Pinch, programmed: &PinchProgrammed) -> Vec<CheckId> {
 /// must; the rest of the rows are as ever.
 #[test]
 fn rows_without_one_angle_turn_as_slowly_as_can_be() {
-    let (setup, mut pinch) = plan_short("smooth");
+    let (mut setup, mut pinch) = plan_short("smooth");
     let turning: Vec<&Held> = pinch.held.iter().filter(|h| !h.is_still()).collect();
     assert!(!turning.is_empty() && turning.len() < pinch.held.len() / 2, "{}", turning.len());
     assert_eq!(pinch.still_rows() + turning.len(), pinch.rows.rows.len());
@@ -921,12 +925,55 @@ fn rows_without_one_angle_turn_as_slowly_as_can_be() {
     let found = setup.read_back_pinch(&dialect, &files, &pinch, &programmed.motion);
     let found: Vec<CheckId> = found.into_iter().filter(|c| !c.passed).map(|c| c.id).collect();
     assert!(found.contains(&CheckId::ProgramDirection), "{found:?}");
+    in_two_channels(&mut setup, &pinch, &programmed);
     // A turn of 6 degrees from a place to the next leads the balls off the straight way.
     let still = pinch.held.iter_mut().find(|h| h.is_still()).expect("a still row");
     let middle = still.theta_rad.len() / 2;
     still.theta_rad[middle..].iter_mut().for_each(|theta| *theta += 0.1);
     let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
     assert!(failed(&pinch, &programmed).contains(&CheckId::ProgramChord), "{:?}", failed(&pinch, &programmed));
+}
+
+/// In two channels the table may turn where the job says how far these may be apart, and a tool
+/// that is then beside its place is found as deep as it is.
+fn in_two_channels(setup: &mut Setup, pinch: &Pinch, programmed: &PinchProgrammed) {
+    let siemens = Dialect::built_in(Control::Siemens).expect("a dialect");
+    let motion = &programmed.motion;
+    let refused = setup.pinch_files(&siemens, motion, 2).expect_err("no skew is known");
+    assert!(refused.message.contains("while both tools cut"), "{}", refused.message);
+    let mut checks = |skew_ms: f64| {
+        let asked = setup.job.pinch.get_or_insert_default();
+        (asked.skew_ms, asked.channels) = (Some(skew_ms), 2);
+        let files = setup.pinch_files(&siemens, motion, 2).expect("programs");
+        assert!(files[1].text.contains(&format!("at most {skew_ms} ms apart")), "{}", &files[1].text[..900]);
+        setup.read_back_pinch(&siemens, &files, pinch, motion)
+    };
+    let of = |checks: &[Check], id: CheckId| -> Check {
+        let mine = |c: &&Check| c.id == id && c.quantity.contains("ms apart");
+        checks.iter().find(mine).expect("the check").clone()
+    };
+    let near = checks(0.1);
+    assert!(near.iter().all(|c| c.passed), "{:?}", near.iter().filter(|c| !c.passed).collect::<Vec<_>>());
+    let skew_s = 0.4;
+    let far = of(&checks(1e3 * skew_s), CheckId::Gouge);
+    // By the motion itself: the second head as it stands, the table as it does before and after.
+    let (a, tool) = (setup.machine.turning_axis(), setup.pinch_tools()[1]);
+    let mut deepest = 0f64;
+    for s in &motion.stretches {
+        let (t, rows) = (&s.motion.t_s, &s.motion.position);
+        for k in 0..t.len() {
+            for by in [-skew_s, skew_s] {
+                let n = t.partition_point(|at| *at < t[k] + by).min(t.len() - 1);
+                let mut at: Vec<f64> = rows[k].to_vec();
+                at[a] = rows[n][a];
+                let pose = setup.machine.forward_of(1, &at, tool.length_mm()).expect("a pose");
+                let near = setup.blade.part.closest(&pose.centre, f64::INFINITY).expect("a part");
+                deepest = deepest.max(tool.radius_mm - near.distance_mm);
+            }
+        }
+    }
+    assert!(deepest > 0.01 && !far.passed, "{deepest} {far:?}");
+    assert!((far.worst / deepest - 1.0).abs() < 0.1, "{deepest} {far:?}");
 }
 
 /// What takes less time is taken row by row, and the published way is there to compare with.

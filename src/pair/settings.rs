@@ -64,6 +64,12 @@ section! {
         ///
         /// In one channel all axes have one clock.
         channels: u32 = 1, 1.0..=2.0;
+        /// How far two channels may be apart in time while both tools cut, ms; left out: it is not
+        /// known, and the table stands still then.
+        ///
+        /// Where the table turns, a channel that lags leaves its tool beside its place.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        skew_ms: f64 as Option<f64> = None, 0.0..=1000.0;
         /// Speed of the second spindle, 1/min; default: that of the first, `post.spindle_rpm`.
         #[serde(skip_serializing_if = "Option::is_none")]
         spindle_2_rpm: f64 as Option<f64> = None, 1.0..=1e6;

@@ -26,7 +26,7 @@ use super::cuts::{self, EndWay};
 use super::options::VerifyOptions;
 use super::pinch::{clearance, facing, tools_apart};
 use super::pinch_channels as channels;
-use super::pinch_program::{joined, poses_of, rapids, read_all, travels, turning_mm};
+use super::pinch_program::{Expected, joined, poses_of, rapids, read_all, travels, turning_mm};
 use super::sweep::Sweep;
 use crate::artifact::report::Check;
 use crate::artifact::{Axes, AxisCheck, Blade, CheckId, Cone, Stand};
@@ -158,7 +158,7 @@ pub fn audit(
         if texts.len() == 1 { error.advise("of two channels, give both programs") } else { error }
     })?;
     let mut checks = set(&programs);
-    let (met, lines) = joined(&programs, None, machine);
+    let (met, lines) = joined(&programs, Expected::default(), machine);
     checks.extend(met);
     let is_joined = lines.is_some();
     let lines = lines.unwrap_or_default();

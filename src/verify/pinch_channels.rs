@@ -14,7 +14,7 @@
 use std::ops::Range;
 
 use super::pinch::{PinchWork, ToolSolid, solids};
-use super::pinch_program::CENTRE_MM;
+use super::pinch_program::{CENTRE_MM, Expected};
 use crate::artifact::report::Check;
 use crate::artifact::{Axes, CheckId};
 use crate::geometry::Vector;
@@ -39,8 +39,9 @@ pub(super) struct Met {
     pub(super) lines: Option<Vec<Line>>,
 }
 
-/// Leads both programs from mark to mark; `stretches`: how many there should be.
-pub(super) fn meet(programs: [&Read; 2], stretches: Option<usize>, machine: &Machine) -> Met {
+/// Leads both programs from mark to mark.
+pub(super) fn meet(programs: [&Read; 2], expected: Expected, machine: &Machine) -> Met {
+    let Expected { stretches, skew_s } = expected;
     let is_second = |k: usize| machine.axes()[k].carries == Carries::Head(1);
     let mut checks = vec![strangers(programs, machine)];
     checks.extend(marks(programs, stretches));
@@ -50,7 +51,7 @@ pub(super) fn meet(programs: [&Read; 2], stretches: Option<usize>, machine: &Mac
     let parts = programs[0].parts.iter().zip(&programs[1].parts);
     let (mut lines, mut at) = (Vec::new(), Axes::from_fn(machine.axes().len(), |_| f64::NAN));
     let join = |a: &Axes, b: &Axes| Axes::from_fn(a.len(), |k| if is_second(k) { b[k] } else { a[k] });
-    let mut found = BetweenMarks::default();
+    let mut found = BetweenMarks { table_may_turn: skew_s.is_some(), ..BetweenMarks::default() };
     for (n, (one, two)) in parts.enumerate() {
         found.part(n, [one, two], programs, (machine, &at), stretches.is_some());
         let ends = [one, two].map(|p| p.last().map_or(at, |l| l.at));
@@ -124,6 +125,32 @@ fn by_time(parts: [&[Line]; 2], before: &Axes, join: impl Fn(&Axes, &Axes) -> Ax
     times.into_iter().map(line).collect()
 }
 
+/// Where all axes stand at the ends of lines if channel 1, with the table, is so much behind (or,
+/// below 0, before) channel 2.
+pub(super) fn apart_in_time(lines: &[Line], machine: &Machine, by_s: f64) -> Vec<Axes> {
+    let mut at_s = 0.0;
+    let times: Vec<f64> = lines
+        .iter()
+        .enumerate()
+        .map(|(n, l)| {
+            at_s += l.seconds.filter(|s| n > 0 && s.is_finite()).unwrap_or(0.0);
+            at_s
+        })
+        .collect();
+    let first = |t: f64| {
+        let n = times.partition_point(|end| *end < t).min(lines.len() - 1);
+        let Some(before) = n.checked_sub(1).filter(|before| times[n] > times[*before]) else { return lines[n].at };
+        let share = ((t - times[before]) / (times[n] - times[before])).clamp(0.0, 1.0);
+        lines[before].at.toward(&lines[n].at, share)
+    };
+    let is_second = |k: usize| machine.axes()[k].carries == Carries::Head(1);
+    let one = |(l, t): (&Line, &f64)| {
+        let own = first(t - by_s);
+        Axes::from_fn(own.len(), |k| if is_second(k) { l.at[k] } else { own[k] })
+    };
+    lines.iter().zip(&times).map(one).collect()
+}
+
 /// Axes that a channel names though they are the other's.
 fn strangers(programs: [&Read; 2], machine: &Machine) -> Check {
     let of = |channel: usize| {
@@ -189,6 +216,8 @@ fn marks(programs: [&Read; 2], stretches: Option<usize>) -> Vec<Check> {
 /// What was found between two marks.
 #[derive(Default)]
 struct BetweenMarks {
+    /// The table may turn where a tool cuts.
+    table_may_turn: bool,
     /// Moves of the table where a tool cuts.
     table: Vec<String>,
     /// Rapids there, and lines that only one channel has.
@@ -215,7 +244,9 @@ impl BetweenMarks {
         let mark = |n: usize| programs[0].marks.get(n).map_or_else(|| "the end".into(), |m| format!("mark {}", m.mark));
         let between = format!("between {} and {}", n.checked_sub(1).map_or_else(|| "the start".into(), mark), mark(n));
         for (k, axis) in machine.axes().iter().enumerate() {
-            let is_shared = !matches!(axis.carries, Carries::Head(_)) || k == machine.turning_axis();
+            let is_table = k == machine.turning_axis();
+            let is_shared = !matches!(axis.carries, Carries::Head(_)) || is_table;
+            let is_shared = is_shared && !(is_table && self.table_may_turn);
             let moved = parts[0].iter().find(|l| !((l.at[k] - before[k]).abs() <= STILL)).filter(|_| is_shared);
             let named = |l: &Line| format!("{} in line {} of channel 1, {between}", axis.name, l.numbers[0]);
             self.table.extend(moved.map(named));

@@ -9,7 +9,7 @@ use super::apart;
 use super::clearance::{Track, kept};
 use super::cuts::{self, EndWay};
 use super::options::VerifyOptions;
-use super::pinch::PinchWork;
+use super::pinch::{PinchWork, clearance, tools_apart};
 use super::pinch_channels as channels;
 use super::sweep::Sweep;
 use crate::artifact::paired::{Held, PinchMotion};
@@ -34,6 +34,8 @@ const ROUNDED_MM: f64 = 1e-4;
 const TIME_SHARE: f64 = 1e-4;
 /// Derivatives of an axis may be over their limits by so much, as a share.
 const LIMIT_SHARE: f64 = 1e-6;
+/// A table that turns by less stands still, rad.
+const STILL: f64 = 1e-9;
 /// Positions this far beyond a travel are rounding, mm and degrees.
 const ROUNDING: f64 = 1e-5;
 
@@ -46,6 +48,8 @@ pub struct PinchAsked {
     pub spindle_rpm: [f64; 2],
     /// How far the control may leave the lines, mm.
     pub tolerance_mm: f64,
+    /// How far two channels may be apart in time while both tools cut, s; `None`: not known.
+    pub skew_s: Option<f64>,
 }
 
 /// Judges the text of a program of two tools: one, or one for each of two channels.
@@ -64,7 +68,8 @@ pub fn check_pinch_program(
         }
     };
     let mut checks = set(&programs, asked);
-    let (met, lines) = joined(&programs, Some(work.held.len()), machine);
+    let expected = Expected { stretches: Some(work.held.len()), skew_s: asked.skew_s };
+    let (met, lines) = joined(&programs, expected, machine);
     checks.extend(met);
     let Some(lines) = lines else { return checks };
     let poses = poses_of(&lines, work.tools, machine);
@@ -76,7 +81,13 @@ pub fn check_pinch_program(
     checks.extend(ways(work, &poses, &found, options));
     if is_two && found.missing == 0 {
         checks.push(channels::rendezvous(work, &lines, &poses, &found.ways));
-        checks.push(channels::lagging((work.tools, work.tools_apart_mm), &poses, &found.ways));
+        // Where the table turns a lag has a limit, or it is a finding.
+        let (turning, still): (Vec<_>, Vec<_>) =
+            found.ways.iter().cloned().partition(|s| table_turns(&lines[s.clone()], machine));
+        checks.push(channels::lagging((work.tools, work.tools_apart_mm), &poses, &still));
+        if let Some(skew_s) = asked.skew_s.filter(|_| !turning.is_empty()) {
+            checks.extend(skewed(work, machine, (&lines, &turning), skew_s, options));
+        }
     }
     checks
 }
@@ -100,16 +111,21 @@ pub(super) fn read_all(texts: &[&str], machine: &Machine) -> Result<Vec<Read>, S
     texts.iter().enumerate().map(one).collect()
 }
 
+/// What is known of two programs before they are read.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Expected {
+    /// Stretches; `None`: not known.
+    pub stretches: Option<usize>,
+    /// See [`PinchAsked`].
+    pub skew_s: Option<f64>,
+}
+
 /// The lines of all programs in one order, `None` where channels never meet, and what was found
-/// where they do. `stretches`: how many there should be.
-pub(super) fn joined(
-    programs: &[Read],
-    stretches: Option<usize>,
-    machine: &Machine,
-) -> (Vec<Check>, Option<Vec<Line>>) {
+/// where they do.
+pub(super) fn joined(programs: &[Read], expected: Expected, machine: &Machine) -> (Vec<Check>, Option<Vec<Line>>) {
     match programs {
         [one, two] => {
-            let met = channels::meet([one, two], stretches, machine);
+            let met = channels::meet([one, two], expected, machine);
             (met.checks, met.lines)
         }
         _ => (Vec::new(), Some(programs.iter().flat_map(|p| p.parts.iter().flatten().cloned()).collect())),
@@ -306,6 +322,65 @@ impl Matched {
             ),
         ]
     }
+}
+
+/// The table turns within these lines.
+fn table_turns(lines: &[Line], machine: &Machine) -> bool {
+    let k = machine.turning_axis();
+    lines.windows(2).any(|w| !((w[1].at[k] - w[0].at[k]).abs() <= STILL))
+}
+
+/// Two channels that are apart by so much: where the table turns, the second tool is beside its
+/// place then. Its ball and the rest of it to the part, and both tools to each other, with channel
+/// 1 before channel 2 and behind it, by all of the skew and by half.
+fn skewed(
+    work: &PinchWork,
+    machine: &Machine,
+    (lines, stretches): (&[Line], &[Range<usize>]),
+    skew_s: f64,
+    options: &VerifyOptions,
+) -> Vec<Check> {
+    let gauges = work.tools.map(Tool::length_mm);
+    let (mut stands, mut wanted): ([Vec<Stand>; 2], Vec<bool>) = Default::default();
+    for (by_s, own) in [-1.0, -0.5, 0.5, 1.0].iter().flat_map(|by| stretches.iter().map(move |s| (by * skew_s, s))) {
+        // Tool by tool as they stand in the part; the table goes with channel 1.
+        let rows = channels::apart_in_time(&lines[own.clone()], machine, by_s);
+        let mut last = [None::<f64>; 2];
+        for at in rows {
+            for j in 0..2 {
+                let Some(pose) = machine.forward_of(j, &at, gauges[j]) else { continue };
+                let theta = pose.axis.z.atan2(pose.axis.y);
+                let theta = last[j].map_or(theta, |last| nearest_turn(theta, last));
+                last[j] = Some(theta);
+                stands[j].push(Stand { centre: pose.centre, cone: work.cones[j], theta });
+            }
+            wanted.push(true);
+        }
+        if let Some(end) = wanted.last_mut() {
+            *end = false;
+        }
+    }
+    if stands[1].len() < 2 || stands[0].len() != stands[1].len() {
+        return Vec::new();
+    }
+    wanted.pop();
+    let of = format!("tool 2, channels {:.3} ms apart: ", 1e3 * skew_s);
+    let name = |check: Check| Check { quantity: format!("{of}{}", check.quantity), row: None, turn: None, ..check };
+    let centres: Vec<Point> = stands[1].iter().map(|s| s.centre).collect();
+    let turns = vec![0; centres.len()];
+    let sweep = Sweep::of(centres.clone(), centres, turns, work.tools[1].radius_mm, Some(wanted.clone()));
+    let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
+    let mut checks = vec![name(cuts::check(work.blade, &part, &EndWay::of_ball(&sweep), options))];
+    let track = Track { stands: &stands[1], wanted: Some(&wanted) };
+    for a in apart(work.blade, work.obstacles, work.tools[1], options) {
+        checks.push(name(clearance(&a, track, work.blade, options)));
+    }
+    let (least_mm, _) = tools_apart(work.tools, [&stands[0], &stands[1]], &wanted);
+    let quantity = "least distance of the two tools";
+    let note = format!("asked for {}", work.tools_apart_mm);
+    let check = Check::at_most(CheckId::ToolsApart, quantity, least_mm, work.tools_apart_mm, "mm", note);
+    checks.push(name(Check { passed: least_mm >= work.tools_apart_mm, ..check }));
+    checks
 }
 
 /// How far balls leave the straight line from place to place, where axes go straight: at the middle

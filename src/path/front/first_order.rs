@@ -264,10 +264,13 @@ mod tests {
             prop_assert!(cosine([x, y]).abs() < 1e-12, "{}", cosine([x, y]));
             let length = (e * x * x + 2.0 * f * x * y + g * y * y).sqrt();
             prop_assert!((length / width - 1.0).abs() < 1e-12, "{length}");
-            // Both of one sign. Where one of them is nothing the sign is no matter.
+            // Both of one sign. With p = F u + G v and q = E u + F v the step is along (p, q), and
+            // its product with the turn is 2 p q: square only where one of them is nothing.
             let printed = cosine([-x, y]);
-            let skew = (f * u + g * v) * (e * u + f * v);
-            prop_assert!(skew.abs() < 0.05 || printed.abs() > 1e-3, "{printed} {skew}");
+            let [p, q] = [f * u + g * v, e * u + f * v];
+            let along = (e * u * u + 2.0 * f * u * v + g * v * v).sqrt();
+            let across = (e * p * p + 2.0 * f * p * q + g * q * q).sqrt();
+            prop_assert!((printed.abs() - 2.0 * (p * q).abs() / (along * across)).abs() < 1e-9, "{printed} {p} {q}");
         }
     }
 

@@ -17,7 +17,7 @@ use crate::artifact::{Cone, Cones, PairedRows, Sweep};
 use crate::channel::{self, ChannelOptions, Surroundings};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
-use crate::numerics::angle::{nearest_turn, within_half_turn};
+use crate::numerics::angle::within_half_turn;
 use crate::numerics::runs::longest;
 use crate::observe::{Observer, timed};
 use crate::pair::{self, Both, FreeAngles, HoldOptions, PinchEdges, PinchOrientation, PinchSettings, Planned, Turning};
@@ -29,17 +29,19 @@ use crate::write::post::{self, Dialect};
 
 /// Angles between heads that differ by less are the same, rad.
 const SAME_RAD: f64 = 1e-6;
-/// Normals nearer to the blade axis than this have no azimuth (sine of the angle).
-const ALONG_AXIS: f64 = 1e-6;
 /// Where the table turns, balls may leave the straight line between two places by this share of
 /// the chord tolerance.
 const TURNING_CHORD: f64 = 0.25;
 
 mod advise;
 mod motion;
+mod published;
 
 pub use advise::{LeanPair, PinchAdvice};
 pub use motion::motion;
+pub use published::PublishedFigures;
+
+use published::Postures;
 
 /// Rows of two tools with the table's angles.
 pub struct Pinch {
@@ -64,22 +66,6 @@ pub struct Pinch {
     pub checks: Vec<Check>,
     /// What was measured.
     pub figures: PinchFigures,
-}
-
-/// What the published smoothing of both tools' axes comes to. Steepest turning: what the axis of
-/// tool 1 and of tool 2 turns by per mm of its contact's way at most, rad/mm.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct PublishedFigures {
-    /// Steepest turning at the fixed angle to tool 1's normal.
-    pub fixed_rad_mm: [f64; 2],
-    /// Places at which that angle is not free for both tools.
-    pub fixed_outside: usize,
-    /// Steepest turning of the posture curves.
-    pub posture_rad_mm: [f64; 2],
-    /// Places at which their angles are not free for both tools.
-    pub posture_outside: usize,
-    /// Rows along which local smoothing finds no angles: they are cut with the table still.
-    pub rows_without: usize,
 }
 
 /// The motion and the programs of rows of two tools.
@@ -293,53 +279,6 @@ impl Setup {
         Ok(Shared { rows, cut_off, own, common, planned, postures })
     }
 
-    /// The angles at a fixed angle to tool 1's normal, and those of the posture curves through
-    /// them.
-    fn postures(&self, rows: &PairedRows, cone: Cone) -> Postures {
-        let lead_rad = self.job.schedule.lead_deg.to_radians();
-        let mut out = Postures { fixed_rad: Vec::new(), curve_rad: Vec::new() };
-        for row in &rows.rows {
-            let (mut last, mut s_mm) = (0.0, 0.0);
-            let (mut fixed, mut ways): (Vec<f64>, Vec<f64>) = Default::default();
-            let contacts = rows.places[row.clone()].iter().map(|p| p.contacts[0]);
-            let mut before: Option<Point> = None;
-            for c in contacts {
-                last = cone.theta_of(&c.normal, ALONG_AXIS).map_or(last, |at| nearest_turn(at + lead_rad, last));
-                s_mm += before.replace(c.contact).map_or(0.0, |b| (c.contact - b).norm());
-                fixed.push(last);
-                ways.push(s_mm);
-            }
-            out.curve_rad.extend(pair::posture(&fixed, &ways, cone));
-            out.fixed_rad.extend(fixed);
-        }
-        out
-    }
-
-    /// What the published smoothing comes to.
-    fn published(&self, pinch: &Pinch, postures: Postures, rows_without: usize) -> PublishedFigures {
-        let along = |theta: &[f64]| -> Vec<Held> {
-            let one = |(row, places): (usize, &Range<usize>)| {
-                let theta_rad = theta[places.clone()].to_vec();
-                Held { row, places: places.clone(), theta_rad, margin_rad: f64::NAN }
-            };
-            pinch.rows.rows.iter().enumerate().map(one).collect()
-        };
-        let turning = |theta: &[f64]| {
-            let held = along(theta);
-            verify::turning_rad_mm(&PinchWork { held: &held, ..self.pinch_work(pinch) })
-        };
-        let outside =
-            |theta: &[f64]| theta.iter().zip(&pinch.common).filter(|(theta, free)| !free.has(**theta)).count();
-        let Postures { fixed_rad, curve_rad } = postures;
-        PublishedFigures {
-            fixed_rad_mm: turning(&fixed_rad),
-            fixed_outside: outside(&fixed_rad),
-            posture_rad_mm: turning(&curve_rad),
-            posture_outside: outside(&curve_rad),
-            rows_without,
-        }
-    }
-
     /// Over which way a turn of the table is spread between two places, mm, and what it may turn
     /// there at most, rad.
     ///
@@ -385,7 +324,7 @@ impl Setup {
         for (name, dialect) in &dialects {
             let file = &post::pinch::pinch_text(dialect, &self.machine, channels)?.file;
             if self.pinch_settings().orientation != PinchOrientation::Hold {
-                post::pinch::table_may_turn(dialect, channels)?;
+                post::pinch::table_may_turn(dialect, channels, self.pinch_settings().skew_ms)?;
             }
             if let Some((other, _)) = files.iter().find(|(_, f)| f == file) {
                 return Err(Error::usage(Stage::Post, format!("{other} and {name} would both write {file}"))
@@ -431,6 +370,7 @@ impl Setup {
                 tools: self.pinch_tools(),
                 spindle_rpm: self.pinch_spindles_rpm(),
                 channels,
+                skew_ms: self.pinch_settings().skew_ms,
             },
         )
     }
@@ -449,6 +389,7 @@ impl Setup {
             cutting_s: motion.cutting_s,
             spindle_rpm: self.pinch_spindles_rpm(),
             tolerance_mm: post::pinch::tolerance_mm(dialect, &self.job.post),
+            skew_s: self.pinch_settings().skew_ms.map(|ms| 1e-3 * ms),
         };
         verify::check_pinch_program(&texts, &work, &self.machine, &asked, &self.verify_options())
     }
@@ -515,14 +456,6 @@ struct Shared {
     planned: Planned,
     /// Where they were asked for.
     postures: Option<Postures>,
-}
-
-/// Angles of the published smoothing at all places, rad.
-struct Postures {
-    /// At a fixed angle to tool 1's normal.
-    fixed_rad: Vec<f64>,
-    /// Of the posture curves through these.
-    curve_rad: Vec<f64>,
 }
 
 /// What is in the way of both tools.

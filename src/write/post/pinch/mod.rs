@@ -8,7 +8,7 @@
 //! ([`PinchText`]). In two channels the axes that turn the workpiece are channel 1's. Channels keep
 //! time by marks only, so a program in two channels is written only where the table stands still
 //! while the tools cut: then a channel that lags moves its own tool along its own row, and nothing
-//! else.
+//! else. Or the job states how far the channels may be apart, and the checks count that in.
 //!
 //! Marks stand where both tools are clear of the turning part: behind the first retract, over the
 //! first place of each stretch, and behind the way up from its last.
@@ -50,6 +50,8 @@ pub struct PinchProgram<'a> {
     pub spindle_rpm: [f64; 2],
     /// Channels of the control that it is for: 1 or 2.
     pub channels: u32,
+    /// How far these may be apart in time, ms; `None`: not known.
+    pub skew_ms: Option<f64>,
 }
 
 /// The text of a channel's program.
@@ -100,19 +102,20 @@ pub fn pinch_text<'a>(dialect: &'a Dialect, machine: &Machine, channels: u32) ->
 /// Whether programs of a dialect may turn the table while both tools cut.
 ///
 /// # Errors
-/// Kind `Usage` where channels keep time by wait marks only, or a line's F counts the way of linear
-/// axes, beside which a control counts that of the table too.
-pub fn table_may_turn(dialect: &Dialect, channels: u32) -> Result<()> {
+/// Kind `Usage` where two channels may be apart by a time that is not known, or a line's F counts
+/// the way of linear axes, beside which a control counts that of the table too.
+pub fn table_may_turn(dialect: &Dialect, channels: u32, skew_ms: Option<f64>) -> Result<()> {
     let file = &dialect.file;
-    let since = if channels == 2 {
+    let since = if channels == 2 && skew_ms.is_none() {
         "pinch.channels is 2: channels keep time by wait marks only".to_owned()
     } else if file.feed != FeedWord::InverseTime {
         format!("{} takes F per minute, which counts degrees of the table as well as mm", file.name)
     } else {
         return Ok(());
     };
-    Err(Error::usage(Stage::Post, format!("{since}, so the table must stand still while both tools cut"))
-        .advise("leave out pinch.orientation: hold is its default"))
+    Err(Error::usage(Stage::Post, format!("{since}, so the table must stand still while both tools cut")).advise(
+        "leave out pinch.orientation: hold is its default; or say how far two channels may be apart (pinch.skew_ms)",
+    ))
 }
 
 /// The programs: one, or one for each of two channels.
@@ -128,8 +131,8 @@ pub fn pinch_programs(dialect: &Dialect, p: &PinchProgram) -> Result<Vec<PinchFi
     if p.channels != 2 {
         return Ok(vec![Writer::new(dialect, text, p, None, all.collect()).written()?]);
     }
-    for stretch in &p.motion.stretches {
-        table_stands(p.machine, stretch)?;
+    if p.skew_ms.is_none() {
+        p.motion.stretches.iter().try_for_each(|stretch| table_stands(p.machine, stretch))?;
     }
     let own = [all.clone().filter(|k| !is_second(k)).collect(), all.filter(is_second).collect::<Vec<_>>()];
     own.into_iter().enumerate().map(|(k, own)| Writer::new(dialect, text, p, Some(k), own).written()).collect()
@@ -153,7 +156,7 @@ fn table_stands(machine: &Machine, stretch: &StretchMotion) -> Result<()> {
             );
             let since = Infeasible::TableMovesInRow { axis: axis.name.clone(), row: stretch.row, moved };
             return Err(Error::infeasible(Stage::Post, message, since)
-                .advise("leave pinch.channels out: one channel moves all axes in one clock"));
+                .advise("leave pinch.channels out: one channel moves all axes in one clock; or state pinch.skew_ms"));
         }
     }
     Ok(())
@@ -317,6 +320,9 @@ impl<'a> Writer<'a> {
             0 => "stands still while both cut".to_owned(),
             n => format!("turns in {n} of them while both cut"),
         };
+        if let (Some(ms), Some(_)) = (p.skew_ms, self.channel) {
+            lines.comment(&format!("CAUTION checked for channels that are at most {ms} ms apart while both cut."));
+        }
         lines.comment(&format!(
             "{} rows in {} stretches; {} {table}.",
             rows(p.motion),
