@@ -156,6 +156,10 @@ impl TurningRow<'_> {
         let row = TurningRow { common: &common, way_mm, most_rad, ..*self };
         let layers = row.reached_to(&(0..common.len()), f64::INFINITY)?;
         let walls = chain_of(&layers, most_rad);
+        // Angles that can just be reached may be lost to rounding on the way back.
+        if walls.len() != common.len() {
+            return None;
+        }
         let found = row.least_of(Least::Slopes, &walls, most_rad, way_mm);
         let by = nearest_turn(found[0], theta[places.start]) - found[0];
         Some(found.into_iter().map(|v| v + by).collect())

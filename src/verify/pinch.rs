@@ -59,6 +59,15 @@ pub struct PinchWork<'a> {
     pub max_angle_rad: f64,
 }
 
+impl PinchWork<'_> {
+    /// How a tool stands at a place of a stretch.
+    pub(super) fn stand(&self, held: &Held, place: usize, tool: usize) -> Stand {
+        let over = if tool == 0 { 0.0 } else { self.between_rad };
+        let centre = self.rows.places[place].contacts[tool].centre;
+        Stand { centre, cone: self.cones[tool], theta: held.theta_at(place) + over }
+    }
+}
+
 /// What was measured on rows of two tools. Lengths in mm.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct PinchFigures {
@@ -122,17 +131,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         figures.ridges_mm[tool] = five(&heights);
         checks.push(name(ridge_check(&heights, work, options)));
         sides.push(side);
-        let stands: Vec<Stand> = order
-            .iter()
-            .map(|(n, k)| {
-                let over = if tool == 0 { 0.0 } else { work.between_rad };
-                Stand {
-                    centre: contact(tool, *k).centre,
-                    cone: work.cones[tool],
-                    theta: work.held[*n].theta_at(*k) + over,
-                }
-            })
-            .collect();
+        let stands: Vec<Stand> = order.iter().map(|(n, k)| work.stand(&work.held[*n], *k, tool)).collect();
         let track = Track { stands: &stands, wanted: Some(&cuts) };
         for a in apart(work.blade, work.obstacles, work.tools[tool], options) {
             checks.push(name(clearance(&a, track, work.blade, options)));
@@ -323,8 +322,7 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
 /// greatest, rad/mm. Where a contact stands, that of its ball counts.
 pub fn turning_rad_mm(work: &PinchWork) -> [f64; 2] {
     [0, 1].map(|j| {
-        let axis =
-            |h: &Held, k: usize| work.cones[j].tool_axis(h.theta_at(k) + if j == 0 { 0.0 } else { work.between_rad });
+        let axis = |h: &Held, k: usize| work.stand(h, k, j).axis();
         let of = |h: &Held, k: usize| {
             let turned = (axis(h, k + 1) - axis(h, k)).norm();
             let [a, b] = [k, k + 1].map(|k| work.rows.places[k].contacts[j]);

@@ -14,7 +14,7 @@
 use std::ops::Range;
 
 use super::pinch::{PinchWork, ToolSolid, solids};
-use super::pinch_program::{CENTRE_MM, Expected};
+use super::pinch_program::{CENTRE_MM, Expected, off_axis_mm};
 use crate::artifact::report::Check;
 use crate::artifact::{Axes, CheckId};
 use crate::geometry::Vector;
@@ -304,12 +304,7 @@ pub(super) fn rendezvous(
         for (line, place) in ends {
             let pose = line.and_then(|i| poses.get(i)?.as_ref());
             for j in 0..2 {
-                let axis = work.cones[j].tool_axis(held.theta_at(place) + if j == 0 { 0.0 } else { work.between_rad });
-                let foot = work.rows.places[place].contacts[j].centre;
-                let off_mm = pose.map_or(f64::INFINITY, |p| {
-                    let way = p[j].centre - foot;
-                    if way.dot(&axis) > 0.0 { way.cross(&axis).norm() } else { f64::INFINITY }
-                });
+                let off_mm = pose.map_or(f64::INFINITY, |p| off_axis_mm(&work.stand(held, place, j), &p[j]));
                 if !(off_mm <= worst_mm) {
                     let named = line.and_then(|i| lines.get(i)).map_or_else(String::new, Line::named);
                     (worst_mm, at) = (off_mm, format!("tool {} in {named}", j + 1));

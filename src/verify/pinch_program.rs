@@ -232,8 +232,7 @@ fn matched(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>]) -> Mat
             }
             for j in 0..2 {
                 let off = (there[j].centre - work.rows.places[k].contacts[j].centre).norm();
-                let over = if j == 0 { 0.0 } else { work.between_rad };
-                let axis = work.cones[j].tool_axis(held.theta_at(k) + over);
+                let axis = work.stand(held, k, j).axis();
                 let turned = 2.0 * (0.5 * (there[j].axis - axis).norm()).min(1.0).asin().to_degrees();
                 if off > out.centre_mm.0 {
                     out.centre_mm = (off, i);
@@ -261,13 +260,14 @@ fn matched(work: &PinchWork, lines: &[Line], poses: &[Option<[Pose; 2]>]) -> Mat
 
 /// Whether both tools stand on their own axes over the first place of a stretch.
 fn is_over(work: &PinchWork, held: &Held, poses: &[Pose; 2]) -> bool {
-    let place = held.places.start;
-    (0..2).all(|j| {
-        let over = if j == 0 { 0.0 } else { work.between_rad };
-        let axis = work.cones[j].tool_axis(held.theta_at(place) + over);
-        let way = poses[j].centre - work.rows.places[place].contacts[j].centre;
-        way.dot(&axis) >= 0.0 && way.cross(&axis).norm() <= CENTRE_MM
-    })
+    (0..2).all(|j| off_axis_mm(&work.stand(held, held.places.start, j), &poses[j]) <= CENTRE_MM)
+}
+
+/// How far a tool is beside the axis along which it goes down to a place and up from it, mm; ∞
+/// where it is not over the place.
+pub(super) fn off_axis_mm(place: &Stand, pose: &Pose) -> f64 {
+    let (axis, way) = (place.axis(), pose.centre - place.centre);
+    if way.dot(&axis) > 0.0 { way.cross(&axis).norm() } else { f64::INFINITY }
 }
 
 impl Matched {

@@ -256,24 +256,28 @@ impl Setup {
             })
         };
         let hold = HoldOptions { margin_rad: self.job.schedule.margin_deg.to_radians() };
-        let moves: Vec<[f64; 2]> = rows.places.windows(2).map(|w| self.turning_over(w, cones)).collect();
+        // Nothing is asked of moves along which the table never turns.
+        let moves: Vec<[f64; 2]> = match orientation {
+            PinchOrientation::Hold => Vec::new(),
+            _ => rows.places.windows(2).map(|w| self.turning_over(w, cones)).collect(),
+        };
         let [way_mm, most_rad] = [0, 1].map(|k| moves.iter().map(|m| m[k]).collect::<Vec<f64>>());
         let postures = (orientation == PinchOrientation::Paper).then(|| self.postures(&rows, cones[0]));
         let posture_rad = postures.as_ref().map(|p| &p.curve_rad[..]);
-        let plan = |may: &(dyn Fn(usize) -> bool + Sync)| {
-            let turning = Turning { way_mm: &way_mm, most_rad: &most_rad, may, posture_rad };
-            let mut planned = pair::hold(&rows.rows, &common, hold, Some(turning), clear)
-                .map_err(|k| closed(&rows, &own, &both, k))?;
+        let plan = |may: Option<&(dyn Fn(usize) -> bool + Sync)>| {
+            let turning = may.map(|may| Turning { way_mm: &way_mm, most_rad: &most_rad, may, posture_rad });
+            let mut planned =
+                pair::hold(&rows.rows, &common, hold, turning, clear).map_err(|k| closed(&rows, &own, &both, k))?;
             planned.held = within_turns(planned.held, self.theta_limits());
             Ok(planned)
         };
         let planned = match orientation {
-            PinchOrientation::Hold => plan(&|_| false)?,
-            PinchOrientation::Smooth | PinchOrientation::Paper => plan(&|_| true)?,
+            PinchOrientation::Hold => plan(None)?,
+            PinchOrientation::Smooth | PinchOrientation::Paper => plan(Some(&|_| true))?,
             PinchOrientation::Time => {
                 let quicker =
-                    motion::quicker_turning(self, &rows, between_rad, [plan(&|_| false), plan(&|_| true)], observer)?;
-                plan(&|row| quicker.contains(&row))?
+                    motion::quicker_turning(self, &rows, between_rad, [plan(None), plan(Some(&|_| true))], observer)?;
+                plan(Some(&|row| quicker.contains(&row)))?
             }
         };
         Ok(Shared { rows, cut_off, own, common, planned, postures })
