@@ -1031,3 +1031,102 @@ fn a_table_that_may_turn_is_refused_where_nothing_could_keep_time() {
     let minute = refused(&[smooth, "post.control=[\"fanuc\"]"]);
     assert!(minute.contains("takes F per minute, which counts degrees of the table as well as mm"), "{minute}");
 }
+
+/// Jobs of a double helix, short: a blade whose helix has few turns.
+fn threads(more: &[&str]) -> JobFile {
+    let mut job = JobFile::from_model(Path::new(MODEL));
+    let keys = ["tool.radius_mm=2", "path.scallop_mm=0.1", "region.end_mm=6", "pinch.topology=\"double-helix\""];
+    keys.iter().chain(more).for_each(|key| job.set(key).expect("a key"));
+    job.set(&format!("machine.file={TWO_HEADS:?}")).expect("a key");
+    job
+}
+
+fn setup_of(job: JobFile) -> Setup {
+    Loaded::read(&inputs::draft(job, Path::new("")).expect("a draft"), &Silent).expect("a blade").setup
+}
+
+/// Two threads leave the ridges of one helix in about half as many turns, the table turns one way
+/// all along, and the checks find what is wrong with them.
+#[test]
+fn two_threads_go_round_in_half_the_turns() {
+    let setup = setup_of(threads(&[]));
+    let pinch = setup.pinch(&Silent).expect("threads");
+    let programmed = setup.pinch_program(&pinch, &Silent).expect("a program").expect("two heads");
+    assert_eq!(failed(&pinch, &programmed), []);
+    let helix = setup.path(&Silent).expect("a helix");
+    let turns = pinch.rows.turns.as_ref().expect("threads");
+    // Each thread takes half a turn more than half of the helix, and both together run all of it.
+    let whole = helix.turns.len() as f64;
+    for of in turns {
+        let own = f64::from(of.last().copied().expect("places")) + 1.0;
+        assert!((own - 0.5 * (whole + 1.0)).abs() < 1.01, "{own} {whole}");
+    }
+    let of_helix: f64 = helix.turns.iter().map(|t| t.length_mm).sum();
+    for tool in 0..2 {
+        let length = pinch.rows.length_mm(tool);
+        assert!((length / of_helix - 0.5 * (whole + 1.0) / whole).abs() < 0.05, "{length} {of_helix}");
+    }
+    let h = pinch.rows.scallop_mm;
+    for ridges in pinch.figures.ridges_mm {
+        assert!(ridges[1] > 0.93 * h && ridges[3] < 1.05 * h && ridges[4] < 1.5 * h, "{ridges:?}");
+    }
+    let [held] = &pinch.held[..] else { panic!("{} stretches", pinch.held.len()) };
+    assert!(held.theta_rad.windows(2).all(|w| w[1] >= w[0]) && held.turned_rad() > 8.0);
+    // Nothing is held, and it is said how far that is from being so.
+    assert!(pinch.checks.iter().all(|c| c.id != CheckId::Opposition) && pinch.figures.angle_deg[2] > 0.0);
+
+    let faults = |change: &dyn Fn(&mut PairedRows, &mut Vec<Held>)| -> Vec<CheckId> {
+        let (mut rows, mut held) = (pinch.rows.clone(), pinch.held.clone());
+        change(&mut rows, &mut held);
+        let work = PinchWork { rows: &rows, held: &held, ..setup.pinch_work(&pinch) };
+        let (checks, _) = verify::check_pinch(&work, &setup.verify_options());
+        checks.into_iter().filter(|c| !c.passed).map(|c| c.id).collect()
+    };
+    assert_eq!(faults(&|_, _| {}), []);
+    let deep =
+        faults(&|rows, _| rows.places.iter_mut().for_each(|p| p.contacts[1].centre -= p.contacts[1].normal * 0.05));
+    assert!(deep.contains(&CheckId::Gouge), "{deep:?}");
+    // Thread 2 stands clear of the part: what it should cut is left.
+    let away =
+        faults(&|rows, _| rows.places.iter_mut().for_each(|p| p.contacts[1].centre += p.contacts[1].normal * 30.0));
+    assert!(away.contains(&CheckId::Ridge), "{away:?}");
+    let turned =
+        faults(&|_, held| held.iter_mut().for_each(|h| h.theta_rad.iter_mut().for_each(|theta| *theta += 1.6)));
+    assert!(turned.contains(&CheckId::Clearance), "{turned:?}");
+    let short = faults(&|_, held| held.iter_mut().for_each(|h| h.places.end -= 40));
+    assert!(short.contains(&CheckId::PairRows), "{short:?}");
+
+    // A line of its program that is left out.
+    let (_, dialect) = &setup.pinch_dialects().expect("dialects")[0];
+    let posted = &programmed.programs[0].files;
+    let cut = posted[0].text.lines().filter(|l| is_cut(l)).count();
+    let missing = with_line(&posted[0].text, cut / 2, is_cut, |_| String::new());
+    let missing = vec![PinchFile { name: posted[0].name.clone(), text: missing }];
+    let found = setup.read_back_pinch(dialect, &missing, &pinch, &programmed.motion);
+    assert!(found.iter().any(|c| !c.passed), "a line is missing");
+}
+
+#[test]
+fn keys_for_rows_have_no_say_in_a_double_helix() {
+    for (key, words) in [
+        ("tool_2.radius_mm=3", "balls of one radius"),
+        ("pinch.edges=\"both\"", "pinch.edges is for rows"),
+        ("pinch.heights_mm=[6, 30]", "pinch.heights_mm is for rows"),
+        ("pinch.orientation=\"smooth\"", "pinch.orientation is for rows"),
+        ("schedule.kind=\"fixed\"", "schedule.kind is fixed"),
+        ("region.end_mm=11.6", "a double helix needs 3 at least"),
+    ] {
+        let e = setup_of(threads(&[key])).pinch(&Silent).map(|_| ()).expect_err(key);
+        assert!(e.to_string().contains(words), "{key}: {e}");
+    }
+    let mesh = concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.obj");
+    let job = JobFile { model: JobFile::from_model(Path::new(mesh)).model, ..threads(&[]) };
+    let e = setup_of(job).pinch(&Silent).map(|_| ()).expect_err("a mesh");
+    assert!(e.to_string().contains("the part is a mesh"), "{e}");
+    let e = setup_of(threads(&[])).pinch_advice(&[5.0], &Silent).expect_err("rows");
+    assert!(e.to_string().contains("advised for rows"), "{e}");
+    // Two channels would have to keep time.
+    let setup = setup_of(threads(&["pinch.channels=2", "post.control=[\"siemens\"]"]));
+    let e = setup.pinch_dialects().map(|_| ()).expect_err("no skew is stated");
+    assert!(e.to_string().contains("pinch.skew_ms"), "{e}");
+}

@@ -92,6 +92,9 @@ pub struct PairedRows {
     pub edge_rows: usize,
     /// Heights between which those run, mm; `None`: there are none.
     pub edge_heights_mm: Option<[f64; 2]>,
+    /// Of a double helix, which is one row round both edges: the turn of each tool at each place,
+    /// from 0. `None`: rows along the blade.
+    pub turns: Option<[Vec<u32>; 2]>,
     /// All places, row by row.
     pub places: Vec<PairPlace>,
     /// Why rows ended, with the number of heights at which they did.
@@ -99,13 +102,37 @@ pub struct PairedRows {
 }
 
 impl PairedRows {
+    /// Whether both tools go round the blade on two threads.
+    pub fn is_double_helix(&self) -> bool {
+        self.turns.is_some()
+    }
+
+    /// The turn of a tool at a place: its row, or that of its thread.
+    pub fn turn_of(&self, tool: usize, place: usize) -> u32 {
+        let row = || self.rows.partition_point(|r| r.end <= place) as u32;
+        self.turns.as_ref().and_then(|t| t[tool].get(place).copied()).unwrap_or_else(row)
+    }
+
+    /// The places of each turn of a tool: its rows, or the turns of its thread.
+    fn runs(&self, tool: usize) -> Vec<Range<usize>> {
+        let Some(turns) = &self.turns else { return self.rows.clone() };
+        let mut from = 0;
+        let run = |of: &[u32]| {
+            let start = from;
+            from += of.len();
+            start..from
+        };
+        turns[tool].chunk_by(|a, b| a == b).map(run).collect()
+    }
+
     /// The rows of tool 1 (0) or tool 2 (1) as a path, a turn for each: its arc length goes over
     /// the straight way from the end of a row to the start of the next.
     pub fn toolpath(&self, tool: usize, cones: Cones) -> Toolpath {
         let mut locations = Vec::with_capacity(self.places.len());
-        let mut turns = Vec::with_capacity(self.rows.len());
+        let runs = self.runs(tool);
+        let mut turns = Vec::with_capacity(runs.len());
         let (mut s_mm, mut last) = (0.0, None::<Point>);
-        for (turn, row) in self.rows.iter().enumerate() {
+        for (turn, row) in runs.iter().enumerate() {
             let mut start_mm = s_mm;
             for (k, place) in self.places[row.clone()].iter().enumerate() {
                 let at = place.contacts[tool];
@@ -153,23 +180,28 @@ impl PairedRows {
         };
         let first = self.places_held();
         let edge_rows = rows.iter().filter(|r| r.start >= first).count();
-        PairedRows { rows: rows.iter().map(numbered).collect(), places, edge_rows, ..self.clone() }
+        let own = |turns: &Vec<u32>| rows.iter().flat_map(|r| turns[r.clone()].iter().copied()).collect();
+        let turns = self.turns.as_ref().map(|turns| turns.each_ref().map(own));
+        PairedRows { rows: rows.iter().map(numbered).collect(), places, edge_rows, turns, ..self.clone() }
     }
 
     /// The same with the first of every so many places of a row, and its last.
     #[must_use]
     pub fn thinned(&self, every: usize) -> Self {
-        let mut places = Vec::with_capacity(self.places.len() / every.max(1) + 2 * self.rows.len());
+        let mut kept = Vec::with_capacity(self.places.len() / every.max(1) + 2 * self.rows.len());
         let mut thin = |row: &Range<usize>| {
-            let from = places.len();
-            places.extend(row.clone().step_by(every.max(1)).map(|k| self.places[k]));
+            let from = kept.len();
+            kept.extend(row.clone().step_by(every.max(1)));
             if row.len() > 1 && !(row.len() - 1).is_multiple_of(every.max(1)) {
-                places.push(self.places[row.end - 1]);
+                kept.push(row.end - 1);
             }
-            from..places.len()
+            from..kept.len()
         };
         let rows = self.rows.iter().map(&mut thin).collect();
-        PairedRows { rows, places, ..self.clone() }
+        let places = kept.iter().map(|k| self.places[*k]).collect();
+        let own = |turns: &Vec<u32>| kept.iter().map(|k| turns[*k]).collect();
+        let turns = self.turns.as_ref().map(|turns| turns.each_ref().map(own));
+        PairedRows { rows, places, turns, ..self.clone() }
     }
 
     /// The rows whose places are opposite each other: all but those round the edges.
@@ -180,6 +212,16 @@ impl PairedRows {
     /// Number of places that are opposite each other; those round the edges come behind them.
     pub fn places_held(&self) -> usize {
         self.rows.get(self.held_rows()).map_or(self.places.len(), |r| r.start)
+    }
+
+    /// The longest way from a place to the next, of a ball or of a contact, mm: at full feed the
+    /// time is in proportion to it.
+    pub fn longest_way_mm(&self, place: usize) -> f64 {
+        let Some([a, b]) = self.places.get(place..place + 2).map(|w| [&w[0].contacts, &w[1].contacts]) else {
+            return 0.0;
+        };
+        let ways = (0..2).map(|j| (b[j].centre - a[j].centre).norm().max((b[j].contact - a[j].contact).norm()));
+        ways.fold(0.0, f64::max)
     }
 
     /// Length of all rows on a side, mm.
@@ -324,6 +366,7 @@ mod tests {
             rows: vec![0..7, 7..8, 8..11, 11..11],
             edge_rows: 0,
             edge_heights_mm: None,
+            turns: None,
             places: (0..11).map(place).collect(),
             ends: Vec::new(),
         };

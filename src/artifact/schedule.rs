@@ -31,6 +31,11 @@ pub enum ScheduleKind {
 }
 
 impl ScheduleKind {
+    /// Its name on the command line and in files.
+    pub fn name(self) -> String {
+        super::word(&self)
+    }
+
     /// Runs along a wall of the channel.
     pub fn is_wall(self) -> bool {
         matches!(self, ScheduleKind::LowerWall | ScheduleKind::UpperWall)

@@ -276,6 +276,26 @@ pub fn intervals(
     Ok(layers.iter().map(|layer| layer.iter().map(named).collect()).collect())
 }
 
+/// The channel within walls at all places of a path, rad, for θ that never falls.
+///
+/// # Errors
+/// A place whose upper wall is below a lower one before it.
+pub fn of_walls(walls: &[[f64; 2]], tolerance_rad: f64) -> std::result::Result<Channel, usize> {
+    let row = |[theta_min, theta_max]: &[f64; 2]| ChannelRow {
+        theta_min: *theta_min,
+        theta_max: *theta_max,
+        hull_min: *theta_min,
+        hull_max: *theta_max,
+        tangent_min: *theta_min,
+        tangent_max: *theta_max,
+        binds_min: Binding::Free,
+        binds_max: Binding::Free,
+    };
+    let (mut rows, sweep): (Vec<ChannelRow>, _) = (walls.iter().map(row).collect(), crate::artifact::Sweep::Round);
+    let narrowest_row = walls::hulls(&mut rows, sweep).map_err(|crossing| crossing.high_row)?;
+    Ok(Channel { tolerance_rad, sweep, rows, narrowest_row, chains: 1, proven_at: Vec::new() })
+}
+
 /// The channel of a tool path among the part alone.
 ///
 /// # Errors

@@ -87,9 +87,13 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     let row = |name: &str, value: String| sayln!("  {name:<34} {value}");
     let [one, two] = f.radius_mm;
     row("balls", format!("R {one} mm for tool 1, R {two} mm for tool 2"));
-    row("rows", format!("{}, {} of them with the table still", f.rows, f.still_rows));
-    if let Some([low, high]) = f.edge_heights_mm {
-        row("  round the edges", format!("{} of them, at heights {low:.3} to {high:.3} mm", f.edge_rows));
+    if let Some([one, two]) = f.thread_turns {
+        row("double helix", format!("threads of {one} and {two} turns"));
+    } else {
+        row("rows", format!("{}, {} of them with the table still", f.rows, f.still_rows));
+        if let Some([low, high]) = f.edge_heights_mm {
+            row("  round the edges", format!("{} of them, at heights {low:.3} to {high:.3} mm", f.edge_rows));
+        }
     }
     row("places of both tools", f.places.to_string());
     if f.cut_off > 0 {
@@ -97,17 +101,26 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     }
     row("first tool at heights", format!("{:.3} to {:.3} mm", f.heights_mm[1], f.heights_mm[0]));
     let [one, two] = f.length_mm;
-    row("length of the rows", format!("{one:.1} mm and {two:.1} mm"));
+    let of = if f.thread_turns.is_some() { "length of the threads" } else { "length of the rows" };
+    row(of, format!("{one:.1} mm and {two:.1} mm"));
     let [one, two] = f.covered.map(|share| 100.0 * share);
-    row("of the airfoil", format!("{one:.1} % lie between the rows of tool 1, {two:.1} % between those of tool 2"));
-    if f.edge_rows > 0 {
-        row("  with the rows round the edges", format!("{:.1} % of it is machined", 100.0 * f.closed));
+    if f.thread_turns.is_some() {
+        row("of the airfoil", format!("{:.1} % is machined", 100.0 * f.closed));
+    } else {
+        row("of the airfoil", format!("{one:.1} % lie between the rows of tool 1, {two:.1} % between those of tool 2"));
+        if f.edge_rows > 0 {
+            row("  with the rows round the edges", format!("{:.1} % of it is machined", 100.0 * f.closed));
+        }
+        row("rows end where", f.ends.clone());
     }
-    row("rows end where", f.ends.clone());
     let [one, two] = f.measured.ridges_mm;
     let of = ["ridges of tool 1", "ridges of tool 2", "the higher of both", "where rows meet"];
     let all = [one, two, f.measured.binding_ridges_mm, f.measured.border_ridges_mm];
-    let shown = if f.edge_rows > 0 { all.len() } else { all.len() - 1 };
+    let shown = match f.edge_rows {
+        _ if f.thread_turns.is_some() => 2,
+        0 => all.len() - 1,
+        _ => all.len(),
+    };
     for (of, [p05, p50, p95, p99, most]) in of.into_iter().zip(all).take(shown) {
         let text = format!("{p05:.4} to {p95:.4} mm (median {p50:.4}, 99 % {p99:.4}, greatest {most:.4})");
         row(&format!("{of}, 5 % to 95 %"), text);
@@ -128,11 +141,12 @@ fn print(pinch: &Pinch, f: &files::PinchSummary) {
     if f.turned_cutting_deg > 0.0 {
         row("  while both tools cut", format!("{:.1}° in all", f.turned_cutting_deg));
         let most = |of: [f64; 2]| of.into_iter().fold(0.0, f64::max);
-        let (steepest, least) = (most(f.measured.turning_rad_mm), f.least_turning_rad_mm);
-        row(
-            "  a tool axis turns at most by",
-            format!("{steepest:.5} rad/mm of its contact's way; the least is {least:.5}"),
-        );
+        let steepest = most(f.measured.turning_rad_mm);
+        let least = match f.thread_turns {
+            Some(_) => String::new(),
+            None => format!("; the least is {:.5}", f.least_turning_rad_mm),
+        };
+        row("  a tool axis turns at most by", format!("{steepest:.5} rad/mm of its contact's way{least}"));
         if let Some(p) = &f.published {
             let before = [(p.fixed_rad_mm, p.fixed_outside), (p.posture_rad_mm, p.posture_outside)];
             let [fixed, curve] =

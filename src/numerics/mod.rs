@@ -5,6 +5,7 @@ pub mod banded;
 pub mod bezier;
 pub mod bounded;
 pub mod elastic;
+pub mod monotone;
 pub mod quintic;
 pub mod runs;
 pub mod series;

@@ -139,6 +139,11 @@ pub enum Doubt {
         /// Feed that has it, mm/min.
         feed_mm_min: f64,
     },
+    /// Two tools go round a blade that is thin for the couple of their forces.
+    NothingHeld {
+        /// Least thickness of a section over its chord.
+        thickness_over_chord: f64,
+    },
     /// The blade cannot turn at one speed all through each turn.
     NotEven {
         /// Greatest share by which it is slower than the rest of its turn.
@@ -402,6 +407,12 @@ impl fmt::Display for Doubt {
                 f,
                 "single teeth leave marks of {mark_mm:.5} mm along the feed, over {most_mm:.5} mm: {fz_mm:.4} mm per tooth would \
                  do, {feed_mm_min:.0} mm/min"
+            ),
+            Doubt::NothingHeld { thickness_over_chord } => write!(
+                f,
+                "the blade is {:.1} % of its chord thick, and a double helix does not hold it: the forces of both tools \
+                 twist it; rows of opposite places do hold it",
+                100.0 * thickness_over_chord
             ),
             Doubt::NotEven { share } => write!(
                 f,

@@ -16,6 +16,7 @@
 
 mod angles;
 mod apart;
+mod chain;
 mod hold;
 mod posture;
 mod settings;
@@ -24,9 +25,10 @@ mod turn;
 
 pub use angles::FreeAngles;
 pub use apart::{Apart, Both};
+pub use chain::chain;
 pub use hold::{HoldOptions, Planned, Turning, hold};
 pub use posture::posture;
-pub use settings::{PinchEdges, PinchKeys, PinchOrientation, PinchSettings};
+pub use settings::{PinchEdges, PinchKeys, PinchOrientation, PinchSettings, PinchTopology};
 pub use share::{HOLDS_DEG, Share, share};
 pub use turn::{NEAR, Turned, TurningRow};
 

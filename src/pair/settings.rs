@@ -6,6 +6,17 @@ use serde::{Deserialize, Serialize};
 use crate::settings::{TINY, section};
 use crate::tool::CLEARANCE_MM;
 
+/// How both tools go over the blade.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PinchTopology {
+    /// Rows along it, at opposite places.
+    OpposedRows,
+    /// Round it, on two threads of one helix, half a turn apart: in about half of the time of one
+    /// tool. Nothing is held between them.
+    DoubleHelix,
+}
+
 /// Who goes round the edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -36,6 +47,8 @@ pub enum PinchOrientation {
 section! {
     /// `[pinch]`: two tools that hold the blade between them, on both sides at the same time.
     "pinch" PinchSettings, PinchKeys, s {
+        /// Rows of opposite places along the blade, or two threads of one helix round it.
+        topology: PinchTopology = PinchTopology::OpposedRows;
         /// Heights of the first tool's ball centre between which rows run, mm along the blade axis;
         /// default: all of the airfoil.
         #[serde(skip_serializing_if = "Option::is_none")]

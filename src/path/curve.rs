@@ -61,6 +61,12 @@ pub fn tangent(before: Option<&Point>, at: &Touch, after: Option<&Point>) -> Vec
     flat.try_normalize(1e-12).unwrap_or_else(|| at.tangent(&Along::BLADE))
 }
 
+/// The point of a cubic between two with these tangents, at the share `f` of the way.
+pub fn cubic([a, b]: [&Point; 2], [m0, m1]: [Vector; 2], f: f64) -> Point {
+    let g = 1.0 - f;
+    a + (b - a) * (f * f * (3.0 - 2.0 * f)) + m0 * (f * g * g) - m1 * (f * f * g)
+}
+
 impl LevelCurve<'_> {
     /// The touch at a place.
     ///
@@ -99,7 +105,7 @@ impl LevelCurve<'_> {
         }
         let (m0, m1) = (self.tangents[i] * length, self.tangents[i + 1] * length);
         let g = 1.0 - f;
-        let guess = a.centre + chord * (f * f * (3.0 - 2.0 * f)) + m0 * (f * g * g) - m1 * (f * f * g);
+        let guess = cubic([&a.centre, &b.centre], [m0, m1], f);
         let along = chord * (6.0 * f * g) + m0 * (g * (g - 2.0 * f)) + m1 * (f * (f - 2.0 * g));
         let reach = 0.5 * length + 0.01 * self.level.radius_mm;
         let touch = along

@@ -107,19 +107,9 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
 
 /// Lays the helix from the start height down to the end.
 fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
-    let region = region(blade, options)?;
-    let rim = Rim::of(blade, region, options);
-    let along = region.along;
-    let part = Allowed::new(&blade.part, options.settings.stock_mm);
+    let rim = Rim::of(blade, region(blade, options)?, options);
     let lowest_mm = bounds::lowest_mm(&options.extent.ends);
-    let level = LevelSet {
-        part,
-        along,
-        radius_mm: options.radius_mm,
-        inclined: options.inclined,
-        rim: rim.as_ref(),
-        lowest_mm,
-    };
+    let level = LevelSet { rim: rim.as_ref(), lowest_mm, ..plain_level(blade, options)? };
     let start_x = start_height(blade, options)?;
     match options.settings.kind {
         PathKind::ConstantHeight => constant_height::plan(blade, &level, options, start_x, observer),
@@ -138,10 +128,19 @@ fn hub_rows(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
         return Err(Error::usage(Stage::Path, "path.kind is hub-rows, but the blade belongs to no wheel")
             .advise("give section wheel in the job"));
     };
-    let part = Allowed::new(&blade.part, options.settings.stock_mm);
-    let (along, radius_mm) = (region(blade, options)?.along, options.radius_mm);
-    let level = LevelSet { part, along, radius_mm, inclined: None, rim: None, lowest_mm: f64::NEG_INFINITY };
-    hub::plan(blade, &level, wheel, options, observer)
+    hub::plan(blade, &plain_level(blade, options)?, wheel, options, observer)
+}
+
+/// The level set of a region, without what ends turns.
+fn plain_level<'a>(blade: &'a Blade, options: &PathOptions) -> Result<LevelSet<'a>> {
+    Ok(LevelSet {
+        part: Allowed::new(&blade.part, options.settings.stock_mm),
+        along: region(blade, options)?.along,
+        radius_mm: options.radius_mm,
+        inclined: options.inclined,
+        rim: None,
+        lowest_mm: f64::NEG_INFINITY,
+    })
 }
 
 /// One closed loop of ball centres round the airfoil at the height `x_mm`, counter-clockwise seen
@@ -151,16 +150,7 @@ fn hub_rows(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
 /// As [`plan`].
 pub fn level(blade: &Blade, options: &PathOptions, x_mm: f64) -> Result<Vec<CutterLocation>> {
     validate(blade, options)?;
-    let part = Allowed::new(&blade.part, options.settings.stock_mm);
-    let along = region(blade, options)?.along;
-    let level = LevelSet {
-        part,
-        along,
-        radius_mm: options.radius_mm,
-        inclined: options.inclined,
-        rim: None,
-        lowest_mm: f64::NEG_INFINITY,
-    };
+    let level = plain_level(blade, options)?;
     let ring = rings::first_ring(blade, &level, options, x_mm, &rings::tracing(options))?;
     helix::closed(&level, &ring, options)
 }

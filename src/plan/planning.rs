@@ -20,7 +20,7 @@ type Scheduled = (Schedule, Option<MotionAndLeads>);
 /// How often walls are moved in for what happens between locations.
 const MOST_PROOFS: usize = 4;
 /// How often the helix is laid anew to end higher before the channel's error stands.
-const MOST_ENDS: usize = 12;
+pub(super) const MOST_ENDS: usize = 12;
 
 /// How far planning went.
 pub(crate) enum Reached {

@@ -39,6 +39,9 @@ pub struct PinchSummary {
     pub rows: usize,
     /// So many of them, the last, go round the edges.
     pub edge_rows: usize,
+    /// Of a double helix, which is one row: turns of the thread of each tool.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thread_turns: Option<[u32; 2]>,
     /// Heights of the ball centres between which those run, the lower first; left out: there are
     /// none.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -99,7 +102,8 @@ pub struct ProgramSummary {
     pub one_after_the_other_s: f64,
     /// What both tools take of that.
     pub share_of_one_after_the_other: f64,
-    /// Time at full feed all along the longer rows, s.
+    /// Time at full feed all along the longer rows, s; of a double helix all along the longer way
+    /// of both tools.
     pub full_feed_s: f64,
     /// The checks of the motion.
     pub checks: Vec<Check>,
@@ -124,13 +128,14 @@ pub struct PostedSummary {
 pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed>) -> PinchSummary {
     let (narrowest, narrowest_place) = pinch.narrowest().unwrap_or_default();
     let own = |k: usize| pinch.own[k].iter().map(|f| f.widest()).fold(f64::INFINITY, f64::min);
-    let turned: f64 = pinch.held.windows(2).map(|w| (w[1].ends_rad()[0] - w[0].ends_rad()[1]).abs()).sum();
+    let turned = 0.0 + pinch.held.windows(2).map(|w| (w[1].ends_rad()[0] - w[0].ends_rad()[1]).abs()).sum::<f64>();
     let area = airfoil_mm2(setup, [f64::NEG_INFINITY, f64::INFINITY]);
     PinchSummary {
         name: setup.blade.name.clone(),
         radius_mm: pinch.rows.radius_mm,
         rows: pinch.rows.rows.len(),
         edge_rows: pinch.rows.edge_rows,
+        thread_turns: pinch.rows.turns.as_ref().map(|turns| turns.each_ref().map(|t| t.last().map_or(0, |n| n + 1))),
         edge_heights_mm: pinch.rows.edge_heights_mm,
         closed: pinch.rows.edge_heights_mm.map_or(0.0, |h| airfoil_mm2(setup, h) / area.max(f64::MIN_POSITIVE)),
         still_rows: pinch.still_rows(),
@@ -156,7 +161,11 @@ pub fn figures(setup: &Setup, pinch: &Pinch, programmed: Option<&PinchProgrammed
 
 fn program(setup: &Setup, pinch: &Pinch, programmed: &PinchProgrammed) -> ProgramSummary {
     let (motion, all_s) = (&programmed.motion, programmed.motion.alone_s.iter().sum::<f64>());
-    let longest_mm = [0, 1].map(|k| pinch.rows.length_mm(k)).into_iter().fold(0.0, f64::max);
+    let rows = &pinch.rows;
+    let longest_mm = match rows.is_double_helix() {
+        true => (0..rows.places.len()).map(|k| rows.longest_way_mm(k)).sum(),
+        false => [0, 1].map(|k| rows.length_mm(k)).into_iter().fold(0.0, f64::max),
+    };
     ProgramSummary {
         cutting_s: motion.cutting_s,
         ways_s: motion.ways_s,
@@ -485,11 +494,23 @@ pub fn plot(setup: &Setup, pinch: &Pinch) -> String {
         if h.is_still() {
             return vec![at(0.0, h.places.clone())];
         }
+        // Of a double helix turn by turn.
+        if let Some([turns, _]) = &pinch.rows.turns {
+            let many = TURNING_POINTS * turns.last().map_or(1, |last| *last as usize + 1);
+            let every = h.places.len().div_ceil(many);
+            let within = |k: usize| {
+                let first = turns.partition_point(|t| *t < turns[k]);
+                let end = turns.partition_point(|t| *t <= turns[k]);
+                f64::from(turns[k]) + (k - first) as f64 / (end - first) as f64
+            };
+            return h.places.clone().step_by(every).map(|k| at(within(k), k..k + 1)).collect();
+        }
         // Where it turns, place by place, over most of the room that the row has.
         let every = h.places.len().div_ceil(TURNING_POINTS);
         let share = |k: usize| 0.8 * ((k - h.places.start) as f64 / h.places.len() as f64 - 0.5);
         h.places.clone().step_by(every).map(|k| at(share(k), k..k + 1)).collect()
     };
     let rows: Vec<HeldAngles> = pinch.held.iter().flat_map(of).collect();
-    held_svg(&setup.blade.name, &rows)
+    let of = if pinch.rows.is_double_helix() { "turn of tool 1" } else { "row" };
+    held_svg(&setup.blade.name, of, &rows)
 }

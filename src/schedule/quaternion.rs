@@ -23,6 +23,7 @@ use super::{ScheduleOptions, bezier, fixed};
 use crate::artifact::schedule::ScheduleKind;
 use crate::artifact::{Channel, Schedule, Toolpath};
 use crate::error::{Result, Stage};
+use crate::numerics::monotone::slopes;
 use crate::observe::{Doubt, Observer, Warning};
 
 /// Greatest change of the normal's azimuth between two keys, rad.
@@ -52,7 +53,7 @@ pub(super) fn plan(
             if r.theta_min <= r.theta_max { lead[*k].clamp(r.theta_min, r.theta_max) } else { lead[*k] }
         })
         .collect();
-    let pieces = curve::hermite(&at, &angle, &tangents(&at, &angle));
+    let pieces = curve::hermite(&at, &angle, &slopes(&at, &angle));
     let theta = bezier::sample_freely(&pieces, &s);
     let mut out = curve::schedule(ScheduleKind::Quaternion, pieces, theta, &curve::true_walls(s, channel));
     out.key_points = at.into_iter().zip(angle).map(|(s, t)| [s, t]).collect();
@@ -119,24 +120,6 @@ fn thin(keys: &mut Vec<usize>, s: &[f64], least: f64) {
     *keys = kept;
 }
 
-/// Slopes at the keys: the harmonic mean of those of the two neighbouring chords, 0 where they
-/// differ in sign or at the ends of a path (Fritsch and Butland): between two keys θ then stays
-/// between their angles.
-fn tangents(s: &[f64], theta: &[f64]) -> Vec<f64> {
-    let chord: Vec<[f64; 2]> =
-        s.windows(2).zip(theta.windows(2)).map(|(s, t)| [s[1] - s[0], (t[1] - t[0]) / (s[1] - s[0])]).collect();
-    let mean = |w: &[[f64; 2]]| {
-        let ([h, a], [k, b]) = (w[0], w[1]);
-        if a * b <= 0.0 { 0.0 } else { (h + k) / ((h + 2.0 * k) / 3.0 / a + (2.0 * h + k) / 3.0 / b) }
-    };
-    let mut out = vec![chord.first().map_or(0.0, |c| c[1])];
-    out.extend(chord.windows(2).map(mean));
-    if s.len() > 1 {
-        out.push(chord.last().map_or(0.0, |c| c[1]));
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -168,10 +151,10 @@ mod tests {
     fn nothing_overshoots_between_uneven_keys() {
         let s = [0.0, 0.1, 50.0, 50.2, 50.4, 80.0];
         let theta = [0.0, 1.5, 1.4, 3.0, 4.6, 4.7];
-        let pieces = curve::hermite(&s, &theta, &tangents(&s, &theta));
+        let pieces = curve::hermite(&s, &theta, &slopes(&s, &theta));
         assert_eq!(curve::reversals(&pieces), 2);
         // A straight line is kept.
-        assert!(tangents(&s, &s).iter().all(|m| (m - 1.0).abs() < 1e-12));
+        assert!(slopes(&s, &s).iter().all(|m| (m - 1.0).abs() < 1e-12));
     }
 
     #[test]

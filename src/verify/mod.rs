@@ -82,7 +82,7 @@ pub use curve::short_on_curve;
 pub use deviation::deviation;
 pub use limit::limit;
 pub use options::{Asked, VerifyOptions};
-pub use pinch::{PinchFigures, PinchWork, check as check_pinch, turning_rad_mm};
+pub use pinch::{PinchFigures, PinchWork, check as check_pinch, threads_p99_mm, turning_rad_mm};
 pub use pinch_audit::{PinchAudit, PinchBench, audit as audit_pinch, is_for_two_tools};
 pub use pinch_program::{PinchAsked, check_pinch_motion, check_pinch_program};
 pub use restart::restart;

@@ -21,7 +21,7 @@ use super::cuts::{self, EndWay};
 use super::height::{Height, REACH_SLACK, percentile, sort};
 use super::options::VerifyOptions;
 use super::ridge::{Ridges, apart_mm};
-use super::sweep::Sweep;
+use super::sweep::{Nearest, Sweep};
 use crate::artifact::paired::Held;
 use crate::artifact::report::Check;
 use crate::artifact::{Blade, CheckId, Cone, Obstacle, PairedRows, Stand};
@@ -79,7 +79,7 @@ pub struct PinchFigures {
     /// zeros where there are none.
     pub border_ridges_mm: [f64; 5],
     /// Distance of the two normal lines: median, 99th percentile, greatest. Here and of the angle,
-    /// rows round the edges are left out.
+    /// rows round the edges are left out; a double helix is not.
     pub line_distance_mm: [f64; 3],
     /// What the normals lack of being opposite: median, 99th percentile, greatest, degrees.
     pub angle_deg: [f64; 3],
@@ -103,12 +103,11 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         return (checks, figures);
     }
     let contact = |tool: usize, k: usize| &work.rows.places[k].contacts[tool];
-    let row_of = |k: usize| work.rows.rows.partition_point(|r| r.end <= k) as u32;
     let sweeps = [0, 1].map(|tool| {
         Sweep::of(
             order.iter().map(|(_, k)| contact(tool, *k).centre).collect(),
             order.iter().map(|(_, k)| contact(tool, *k).contact).collect(),
-            order.iter().map(|(_, k)| row_of(*k)).collect(),
+            order.iter().map(|(_, k)| work.rows.turn_of(tool, *k)).collect(),
             work.tools[tool].radius_mm,
             Some(cuts.clone()),
         )
@@ -124,7 +123,7 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
         };
         checks.push(name(cuts::check(work.blade, &part, &EndWay::of_ball(sweep), options)));
         checks.extend(cuts::check_obstacles(work.blade, work.obstacles, &EndWay::of_ball(sweep), options).map(name));
-        let side = ridges(&part, sweep, work, options.scallop_mm);
+        let side = ridges(&part, &sweeps, tool, work.rows, options.scallop_mm);
         let border = border_ridges(&part, &sweeps, tool, work, options.scallop_mm);
         let heights = sort(side.iter().copied().flatten().chain(border.iter().copied()).collect());
         borders.extend(border);
@@ -151,6 +150,28 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
     (checks, figures)
 }
 
+/// The 99th percentile of the ridges that two threads of a double helix leave, mm, as the check of
+/// it measures them; the greater of both tools.
+pub fn threads_p99_mm(rows: &PairedRows, part: &Part, scallop_mm: f64) -> f64 {
+    if !rows.is_double_helix() || rows.places.len() < 2 {
+        return 0.0;
+    }
+    let part = Allowed::new(part, rows.stock_mm);
+    let sweeps = [0, 1].map(|tool| {
+        let contact = |k: usize| &rows.places[k].contacts[tool];
+        let places = 0..rows.places.len();
+        Sweep::of(
+            places.clone().map(|k| contact(k).centre).collect(),
+            places.clone().map(|k| contact(k).contact).collect(),
+            places.map(|k| rows.turn_of(tool, k)).collect(),
+            rows.radius_mm[tool],
+            None,
+        )
+    });
+    let of = |tool: usize| sort(ridges(&part, &sweeps, tool, rows, scallop_mm).into_iter().flatten().collect());
+    [0, 1].map(|tool| percentile(&of(tool), 0.99)).into_iter().fold(0.0, f64::max)
+}
+
 /// Every move of every row is cut by some stretch.
 fn covered(work: &PinchWork) -> Check {
     let mut cut = vec![false; work.rows.places.len()];
@@ -168,9 +189,19 @@ fn covered(work: &PinchWork) -> Check {
 }
 
 /// Ridges from each row to the next, at the same places for either tool; `None`: there is none.
-/// Behind the last row of opposite places come those round the edges, elsewhere.
-fn ridges(part: &Allowed, sweep: &Sweep, work: &PinchWork, scallop_mm: f64) -> Vec<Option<Height>> {
-    let [held, all] = [work.rows.held_rows(), work.rows.rows.len()].map(|n| n as u32);
+/// Behind the last row of opposite places come those round the edges, elsewhere. Beside a thread of
+/// a double helix lies the other one: below the turn of tool 1 the next of tool 2, below that of
+/// tool 2 the same of tool 1. At its ends it is the one above; where the other thread is not there,
+/// the next turn of its own.
+fn ridges(
+    part: &Allowed,
+    sweeps: &[Sweep; 2],
+    tool: usize,
+    of_rows: &PairedRows,
+    scallop_mm: f64,
+) -> Vec<Option<Height>> {
+    let sweep = &sweeps[tool];
+    let [held, all] = [of_rows.held_rows(), of_rows.rows.len()].map(|n| n as u32);
     let every = sweep.centres.len().div_ceil(RIDGES);
     let apart_mm = apart_mm(sweep.radius_mm, scallop_mm);
     let of = Ridges { part, sweep, every, apart_mm, slack_mm: REACH_SLACK * scallop_mm };
@@ -178,10 +209,25 @@ fn ridges(part: &Allowed, sweep: &Sweep, work: &PinchWork, scallop_mm: f64) -> V
     // A row may be in pieces, and end amid others: the next is the first that goes past.
     let to_next = |row: usize| {
         let own = sweep.turns[row];
+        if of_rows.is_double_helix() {
+            let other = |turn: u32| of.beside(row, (&sweeps[1 - tool], turn)).map(|(height, _)| height);
+            let [below, above] = if tool == 0 { [Some(own + 1), Some(own)] } else { [Some(own), own.checked_sub(1)] };
+            let beside = below.and_then(other).or_else(|| above.and_then(other));
+            let own_next = || of.at(row, own + 1).filter(|_| is_nearer_to_itself(sweeps, tool, row));
+            return beside.or_else(own_next);
+        }
         let end = if own < held { held } else { all };
         (own + 1..end).find_map(|other| of.at(row, other))
     };
     parallel::map(rows, to_next)
+}
+
+/// Whether beside a place of a thread its own next turn is nearer than the other thread.
+fn is_nearer_to_itself(sweeps: &[Sweep; 2], tool: usize, row: usize) -> bool {
+    let (own, other) = (&sweeps[tool], &sweeps[1 - tool]);
+    let (here, next, reach) = (&own.centres[row], own.turns[row] + 1, 2.0 * own.radius_mm);
+    let away = |found: Option<Nearest>| found.map_or(f64::INFINITY, |n| n.distance_mm);
+    away(own.nearest(here, reach, |i| own.turns[i] == next)) < away(other.nearest(here, reach, |_| true))
 }
 
 /// Ridges of a tool's rows round its edge to the rows of opposite places beside them, which are its
@@ -283,9 +329,12 @@ pub(super) fn facing(part: &Part, centres: [&Point; 2]) -> Option<[f64; 2]> {
     Some([one.lines_apart_mm(&two), (one.normal + two.normal).norm().clamp(0.0, 2.0) / 2.0])
 }
 
+/// Whether the tools hold the part between them; of a double helix, which does not, it is measured
+/// and not checked.
 fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
     let of = |k: &usize| facing(&work.blade.part, [0, 1].map(|tool| &work.rows.places[*k].contacts[tool].centre));
-    let places: Vec<usize> = (0..work.rows.places_held()).collect();
+    let measured = if work.rows.is_double_helix() { work.rows.places.len() } else { work.rows.places_held() };
+    let places: Vec<usize> = (0..measured).collect();
     let found: Vec<Option<[f64; 2]>> = parallel::map(&places, of);
     let sorted = |column: usize| {
         let mut all: Vec<f64> = found.iter().map(|f| f.map_or(f64::INFINITY, |f| f[column])).collect();
@@ -295,6 +344,9 @@ fn opposed(work: &PinchWork) -> (Vec<Check>, Opposition) {
     };
     let lines = sorted(0);
     let angles = sorted(1).map(|half| (2.0 * half.asin()).to_degrees());
+    if work.rows.is_double_helix() {
+        return (Vec::new(), (lines, angles));
+    }
     let line = Check::at_most(
         CheckId::Opposition,
         "99th percentile of the distance of the two normal lines",

@@ -13,6 +13,9 @@
 //! row before, not derived from curvature, so no error adds up from row to row. A row goes as far
 //! as its places have partners; what is beyond is the edges', and is counted.
 //!
+//! *Double helix* (`threads`): instead of rows both tools go round the blade on two threads of one
+//! helix.
+//!
 //! ## Guarantees
 //! Every ball is within 1e-6 mm of its level set, both contacts are on the airfoil, the normals
 //! lack at most [`PairOptions::max_angle_rad`] of being opposite, and the straight moves between
@@ -31,6 +34,7 @@ mod lay;
 mod sheet;
 #[cfg(test)]
 mod tests;
+mod threads;
 
 use super::PathSettings;
 use crate::artifact::paired::{PairPlace, RowEnd};
@@ -40,6 +44,7 @@ use crate::observe::Observer;
 use crate::parallel;
 use crate::tool::stepover::flat_stepover_mm;
 use sheet::{Sheet, Standing};
+pub use threads::{Threaded, Threads};
 
 /// Greatest distance between two heights of the grid that rows are laid on, mm …
 const GRID_MM: f64 = 2.0;
@@ -117,6 +122,7 @@ pub fn plan(blade: &Blade, options: &PairOptions, observer: &dyn Observer) -> Re
         edge_rows: edges.as_ref().map_or(0, |e| e.rows.len()),
         edge_heights_mm: edges.map(|e| e.heights_mm),
         rows,
+        turns: None,
         places,
         ends,
     })

@@ -2,9 +2,9 @@
 
 use super::{Setup, narrowest, still_rows};
 use crate::artifact::{Cone, PairedRows};
-use crate::error::{ErrorKind, Result, Stage};
+use crate::error::{Error, ErrorKind, Result, Stage};
 use crate::observe::{Observer, timed};
-use crate::pair::{FreeAngles, PinchOrientation};
+use crate::pair::{FreeAngles, PinchOrientation, PinchTopology};
 use crate::parallel;
 
 /// Places of the rows that leans are looked at for, about.
@@ -50,6 +50,10 @@ impl Setup {
     /// # Errors
     /// Those of [`Setup::pinch`], but for a pair that opens nothing; `Cancelled`.
     pub fn pinch_advice(&self, angles_deg: &[f64], observer: &dyn Observer) -> Result<PinchAdvice> {
+        if self.pinch_settings().topology == PinchTopology::DoubleHelix {
+            let message = "leans are advised for rows of opposite places, and pinch.topology is double-helix";
+            return Err(Error::usage(Stage::Job, message).advise("leave out pinch.topology"));
+        }
         // The job's own leans must be some that the machine has.
         self.between_heads(&self.pinch_settings(), self.pinch_cones())?;
         let all = self.paired_rows(observer)?;

@@ -20,7 +20,9 @@ use crate::geometry::Point;
 use crate::numerics::angle::within_half_turn;
 use crate::numerics::runs::longest;
 use crate::observe::{Observer, timed};
-use crate::pair::{self, Both, FreeAngles, HoldOptions, PinchEdges, PinchOrientation, PinchSettings, Planned, Turning};
+use crate::pair::{
+    self, Both, FreeAngles, HoldOptions, PinchEdges, PinchOrientation, PinchSettings, PinchTopology, Planned, Turning,
+};
 use crate::path::pairs::{self, PairOptions};
 use crate::tool::Tool;
 use crate::verify::{self, PinchAsked, PinchFigures, PinchWork};
@@ -36,6 +38,7 @@ const TURNING_CHORD: f64 = 0.25;
 mod advise;
 mod motion;
 mod published;
+mod threads;
 
 pub use advise::{LeanPair, PinchAdvice};
 pub use motion::motion;
@@ -156,17 +159,12 @@ impl Setup {
     /// Those of [`pairs::plan`] and [`channel::intervals`]; kind `Infeasible` where at a place no
     /// angle of the table is free for both tools.
     pub fn pinch(&self, observer: &dyn Observer) -> Result<Pinch> {
-        let rows = self.paired_rows(observer)?;
         let cones = self.pinch_cones();
         let between_rad = self.between_heads(&self.pinch_settings(), cones)?;
-        let own = timed(observer, Stage::Channel, || {
-            let around = self.around_both()?;
-            let free = |tool: usize| self.free_angles(around.of(tool), &rows, (tool, cones[tool]), observer);
-            Ok([free(0)?, free(1)?])
-        })?;
-        let asked = self.pinch_settings().orientation;
-        let shared =
-            timed(observer, Stage::Schedule, || self.shared(&rows, own, (cones, between_rad), asked, observer))?;
+        let shared = match self.pinch_settings().topology {
+            PinchTopology::OpposedRows => self.opposed_rows((cones, between_rad), observer)?,
+            PinchTopology::DoubleHelix => self.double_helix((cones, between_rad), observer)?,
+        };
         let Shared { rows, cut_off, own, common, planned, postures } = shared;
         let (checks, figures) = (Vec::new(), PinchFigures::default());
         let mut turning: Vec<usize> = planned.least_slopes.iter().map(|(n, _)| planned.held[*n].row).collect();
@@ -191,6 +189,29 @@ impl Setup {
         let (checks, figures) = timed(observer, Stage::Verify, || Ok(verify::check_pinch(&work, &options)))?;
         (pinch.checks, pinch.figures) = (checks, figures);
         Ok(pinch)
+    }
+
+    /// Rows of opposite places, and how the table stands along them.
+    fn opposed_rows(&self, at: ([Cone; 2], f64), observer: &dyn Observer) -> Result<Shared> {
+        let rows = self.paired_rows(observer)?;
+        let around = timed(observer, Stage::Channel, || self.around_both())?;
+        let own = self.free_of_both(&around, &rows, at.0, observer)?;
+        let asked = self.pinch_settings().orientation;
+        timed(observer, Stage::Schedule, || self.shared(&rows, own, at, asked, observer))
+    }
+
+    /// What is free for each tool at all places of rows, by its own angle.
+    fn free_of_both(
+        &self,
+        around: &AroundBoth,
+        rows: &PairedRows,
+        cones: [Cone; 2],
+        observer: &dyn Observer,
+    ) -> Result<[Vec<FreeAngles>; 2]> {
+        timed(observer, Stage::Channel, || {
+            let free = |tool: usize| self.free_angles(around.of(tool), rows, (tool, cones[tool]), observer);
+            Ok([free(0)?, free(1)?])
+        })
     }
 
     /// Rows for both tools, before anything is known of their shafts.
@@ -229,7 +250,6 @@ impl Setup {
         orientation: PinchOrientation,
         observer: &dyn Observer,
     ) -> Result<Shared> {
-        let apart_mm = self.pinch_settings().tools_apart_mm;
         let own = [first, second.iter().map(|f| f.turned(-between_rad)).collect()];
         let common: Vec<FreeAngles> = own[0].iter().zip(&own[1]).map(|(a, b)| a.and(b)).collect();
         let both = Both::new(self.pinch_tools(), cones, between_rad);
@@ -248,13 +268,8 @@ impl Setup {
             |of: &[FreeAngles]| kept.iter().flat_map(|row| of[row.clone()].iter().cloned()).collect::<Vec<_>>();
         let (own, common, rows) = ([chosen(&own[0]), chosen(&own[1])], chosen(&common), rows.only(&kept));
         let cut_off = all - rows.places.len();
-        let clear = |places: &Range<usize>, theta_rad: &dyn Fn(usize) -> f64| {
-            let mut moves = places.clone().zip(places.start + 1..places.end);
-            moves.all(|(a, b)| {
-                let (ends, thetas) = ([a, b].map(|k| &rows.places[k]), [a, b].map(theta_rad));
-                both.apart(ends, thetas).least_mm >= apart_mm
-            })
-        };
+        let clear =
+            |places: &Range<usize>, theta_rad: &dyn Fn(usize) -> f64| self.clear_along(&rows, &both, places, theta_rad);
         let hold = HoldOptions { margin_rad: self.job.schedule.margin_deg.to_radians() };
         // Nothing is asked of moves along which the table never turns.
         let moves: Vec<[f64; 2]> = match orientation {
@@ -283,6 +298,23 @@ impl Setup {
         Ok(Shared { rows, cut_off, own, common, planned, postures })
     }
 
+    /// Whether both tools keep clear of each other at all places of a stretch, at the angles of the
+    /// table there.
+    fn clear_along(
+        &self,
+        rows: &PairedRows,
+        both: &Both,
+        places: &Range<usize>,
+        theta_rad: &dyn Fn(usize) -> f64,
+    ) -> bool {
+        let apart_mm = self.pinch_settings().tools_apart_mm;
+        let mut moves = places.clone().zip(places.start + 1..places.end);
+        moves.all(|(a, b)| {
+            let (ends, thetas) = ([a, b].map(|k| &rows.places[k]), [a, b].map(theta_rad));
+            both.apart(ends, thetas).least_mm >= apart_mm
+        })
+    }
+
     /// Over which way a turn of the table is spread between two places, mm, and what it may turn
     /// there at most, rad.
     ///
@@ -294,13 +326,21 @@ impl Setup {
     fn turning_over(&self, places: &[PairPlace], cones: [Cone; 2]) -> [f64; 2] {
         let [a, b] = [0, places.len() - 1].map(|k| &places[k].contacts);
         let way = |j: usize| (b[j].contact - a[j].contact).norm() / cones[j].lean_rad.cos();
-        let off_mm = |p: &Point| self.machine.off_table_axis_mm(p).unwrap_or_else(|| p.y.hypot(p.z));
         let chord_mm = TURNING_CHORD * self.job.path.chord_mm;
         let most = |j: usize| {
-            let (way, rho) = ((b[j].centre - a[j].centre).norm(), off_mm(&a[j].centre).max(off_mm(&b[j].centre)));
+            let (way, rho) = (
+                (b[j].centre - a[j].centre).norm(),
+                self.off_table_axis_mm(&a[j].centre).max(self.off_table_axis_mm(&b[j].centre)),
+            );
             ((way * way + 24.0 * rho * chord_mm).sqrt() - way) / (3.0 * rho).max(f64::MIN_POSITIVE)
         };
         [way(0).min(way(1)), most(0).min(most(1))]
+    }
+
+    /// Distance of a point from the axis about which the table turns, mm; from the blade axis where
+    /// there is no table.
+    fn off_table_axis_mm(&self, p: &Point) -> f64 {
+        self.machine.off_table_axis_mm(p).unwrap_or_else(|| p.y.hypot(p.z))
     }
 
     /// Both tools.
@@ -327,7 +367,7 @@ impl Setup {
         let mut files: Vec<(&str, &str)> = Vec::with_capacity(dialects.len());
         for (name, dialect) in &dialects {
             let file = &post::pinch::pinch_text(dialect, &self.machine, channels)?.file;
-            if self.pinch_settings().orientation != PinchOrientation::Hold {
+            if self.table_may_turn() {
                 post::pinch::table_may_turn(dialect, channels, self.pinch_settings().skew_ms)?;
             }
             if let Some((other, _)) = files.iter().find(|(_, f)| f == file) {
@@ -337,6 +377,12 @@ impl Setup {
             files.push((name, file));
         }
         Ok(dialects)
+    }
+
+    /// Whether the table may turn while both tools cut.
+    fn table_may_turn(&self) -> bool {
+        let asked = self.pinch_settings();
+        asked.topology == PinchTopology::DoubleHelix || asked.orientation != PinchOrientation::Hold
     }
 
     /// The motion of a machine with two heads and its programs, judged: `None` where it has one.

@@ -12,12 +12,14 @@ use super::Pinch;
 use crate::artifact::paired::{Held, PinchMotion, StretchMotion};
 use crate::artifact::{Axes, AxisRows, PairedRows};
 use crate::error::{Error, Infeasible, Result, Stage};
-use crate::feed;
+use crate::feed::{self, FeedOptions};
 use crate::geometry::{Point, Vector};
 use crate::machine::Machine;
-use crate::observe::Observer;
+use crate::observe::{Observer, Silent};
 use crate::pair::Planned;
+use crate::parallel;
 use crate::plan::Setup;
+use crate::plan::schedules::keep_fastest;
 use crate::tool::lowest_mm;
 
 /// Room beyond what the part turns in, mm.
@@ -87,6 +89,32 @@ pub(super) fn quicker_turning(
         }
     }
     Ok(quicker)
+}
+
+/// Of ways to turn along a row the one with which the machine is fastest: the number of it. Those
+/// that are fastest without limits of jerk are looked at with them.
+///
+/// # Errors
+/// Those of the feed.
+pub(super) fn fastest(
+    setup: &Setup,
+    rows: &PairedRows,
+    between_rad: f64,
+    ways: &[Held],
+    observer: &dyn Observer,
+) -> Result<usize> {
+    let Some(heads) = Heads::of(setup, rows, between_rad) else { return Ok(0) };
+    let time_s = |limit_jerk: bool, held: &Held| -> Result<f64> {
+        observer.check(Stage::Feed)?;
+        let Along { s_mm, rows, speeds } = heads.rows(held)?.three_at_least();
+        let options = FeedOptions { limit_jerk, ..setup.feed_options() };
+        Ok(feed::plan_positions(&s_mm, &rows, &speeds, &setup.machine, &options, &Silent)?.time_s)
+    };
+    let numbered: Vec<usize> = (0..ways.len()).collect();
+    let mut rough = parallel::try_map(&numbered, |k| Ok((time_s(false, &ways[*k])?, *k)))?;
+    keep_fastest(&mut rough, |(time_s, _)| *time_s);
+    let close = parallel::try_map(&rough, |(_, k)| Ok((time_s(true, &ways[*k])?, *k)))?;
+    Ok(close.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0, |(_, k)| k))
 }
 
 /// Both heads of a machine over the rows.

@@ -13,8 +13,8 @@ pub struct HeldAngles {
     pub common_deg: [f64; 2],
 }
 
-/// The plot as an SVG file; nothing without rows. Rows count from 1.
-pub fn held_svg(name: &str, rows: &[HeldAngles]) -> String {
+/// The plot as an SVG file; nothing without rows. Rows, or turns as `of` says, count from 1.
+pub fn held_svg(name: &str, of: &str, rows: &[HeldAngles]) -> String {
     if rows.is_empty() {
         return String::new();
     }
@@ -24,8 +24,8 @@ pub fn held_svg(name: &str, rows: &[HeldAngles]) -> String {
     let held =
         ChartCurve { marks: true, ..ChartCurve::line("where it stands", line(&|h| h.held_deg), ORANGE, "", 1.5) };
     chart::svg(&[Chart {
-        title: format!("Table of {name}: free for both tools along each row"),
-        x: "row".into(),
+        title: format!("Table of {name}: free for both tools along each {of}"),
+        x: of.into(),
         y: "angle, °".into(),
         curves: vec![
             ChartCurve::line("free from", line(&|h| h.common_deg[0]), BLUE, "", 1.0),
@@ -44,8 +44,8 @@ mod tests {
     #[test]
     fn each_stretch_is_drawn_between_its_walls() {
         let rows = [0.0, 0.0, 1.0].map(|row| HeldAngles { row, held_deg: 10.0 * row, common_deg: [-40.0, 60.0] });
-        let svg = held_svg("b", &rows);
+        let svg = held_svg("b", "row", &rows);
         assert!(svg.contains("free for both tools along each row") && svg.contains("where it stands"), "{svg}");
-        assert!(held_svg("b", &[]).is_empty());
+        assert!(held_svg("b", "row", &[]).is_empty());
     }
 }

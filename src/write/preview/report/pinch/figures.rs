@@ -95,18 +95,30 @@ pub(super) fn cards(input: &PinchReport) -> String {
         ]);
         card(&mut cards, "Both tools cut", &format!("{} s", f("/program/cutting_s")), &note);
     }
-    let note = format!("{} of them with the table still; {} places of both tools", f("/still_rows"), f("/places"));
-    card(&mut cards, "Rows", &f("/rows"), &note);
-    if value(input, "/edge_rows") > 0.0 {
+    let threads = input.rows.is_double_helix();
+    if threads {
+        let turns = format!("{} and {} turns", f("/thread_turns/0"), f("/thread_turns/1"));
+        let note = format!("threads of tool 1 and tool 2; {} places of both tools; nothing is held", f("/places"));
+        card(&mut cards, "Double helix", &turns, &note);
+    } else {
+        let note = format!("{} of them with the table still; {} places of both tools", f("/still_rows"), f("/places"));
+        card(&mut cards, "Rows", &f("/rows"), &note);
+    }
+    if threads {
+        card(&mut cards, "Of the airfoil", &f("/closed"), "of its area is machined");
+    } else if value(input, "/edge_rows") > 0.0 {
         let heights = [0, 1].map(|k| length(input, &format!("/edge_heights_mm/{k}"))).join(" – ");
         let note = format!("of the rows, at heights {heights} mm: {} of the airfoil's area is between", f("/closed"));
         card(&mut cards, "Round the edges", &f("/edge_rows"), &note);
     }
     let lengths = format!("{} and {} mm", f("/length_mm/0"), f("/length_mm/1"));
-    card(&mut cards, "Length of the rows", &lengths, "of tool 1 and tool 2");
-    let shares = format!("{} and {}", f("/covered/0"), f("/covered/1"));
-    let note = format!("of its area, tool 1 and tool 2; rows end where {}", text(input, "/ends"));
-    card(&mut cards, "Share of the airfoil between the rows", &shares, &note);
+    let of = if threads { "Length of the threads" } else { "Length of the rows" };
+    card(&mut cards, of, &lengths, "of tool 1 and tool 2");
+    if !threads {
+        let shares = format!("{} and {}", f("/covered/0"), f("/covered/1"));
+        let note = format!("of its area, tool 1 and tool 2; rows end where {}", text(input, "/ends"));
+        card(&mut cards, "Share of the airfoil between the rows", &shares, &note);
+    }
     let note = format!(
         "place {}; tool 1 alone {}°, tool 2 alone {}°",
         f("/narrowest_place"),
@@ -143,8 +155,12 @@ fn measured(input: &PinchReport) -> String {
     let body = [
         line("ridges of tool 1, mm", "ridges_mm/0", ridges),
         line("ridges of tool 2, mm", "ridges_mm/1", ridges),
-        line("the higher of both, mm", "binding_ridges_mm", ridges),
-        if value(input, "/edge_rows") > 0.0 {
+        if input.rows.is_double_helix() {
+            String::new()
+        } else {
+            line("the higher of both, mm", "binding_ridges_mm", ridges)
+        },
+        if value(input, "/edge_rows") > 0.0 && !input.rows.is_double_helix() {
             line("where rows round the edges meet the others, mm", "border_ridges_mm", ridges)
         } else {
             String::new()

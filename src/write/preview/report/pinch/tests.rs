@@ -35,6 +35,7 @@ fn rows() -> PairedRows {
     };
     PairedRows {
         edge_rows: 0,
+        turns: None,
         edge_heights_mm: None,
         radius_mm: [3.0, 3.0],
         stock_mm: 0.0,
