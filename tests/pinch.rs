@@ -1114,9 +1114,10 @@ fn keys_for_rows_have_no_say_in_a_double_helix() {
         ("pinch.heights_mm=[6, 30]", "pinch.heights_mm is for rows"),
         ("pinch.orientation=\"smooth\"", "pinch.orientation is for rows"),
         ("schedule.kind=\"fixed\"", "schedule.kind is fixed"),
-        ("region.end_mm=11.6", "a double helix needs 3 at least"),
+        ("path.kind=\"constant-height\";region.end_mm=11.6", "a double helix needs 3 at least"),
     ] {
-        let e = setup_of(threads(&[key])).pinch(&Silent).map(|_| ()).expect_err(key);
+        let keys: Vec<&str> = key.split(';').collect();
+        let e = setup_of(threads(&keys)).pinch(&Silent).map(|_| ()).expect_err(key);
         assert!(e.to_string().contains(words), "{key}: {e}");
     }
     let mesh = concat!(env!("CARGO_MANIFEST_DIR"), "/models/turbine_camber.obj");
