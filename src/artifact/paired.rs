@@ -380,4 +380,46 @@ mod tests {
         assert_eq!(of(4), (vec![0..3, 3..4, 4..6, 6..6], vec![0, 4, 6, 7, 8, 10]));
         assert_eq!(of(0), of(1));
     }
+
+    #[test]
+    fn turns_of_a_double_helix_are_those_of_its_threads() {
+        let at = |x: f64| {
+            let centre = Point::new(x, 0.0, 0.0);
+            BallContact { centre, contact: centre + Vector::y() * x, normal: Vector::y(), face: 0 }
+        };
+        let place = |k: usize| PairPlace {
+            contacts: [at(k as f64), at(2.0 * k as f64)],
+            held_centre: Point::origin(),
+            held_radius_mm: 1.0,
+            angle_rad: 0.0,
+            apart_mm: 0.0,
+        };
+        let rows = PairedRows {
+            radius_mm: [1.0; 2],
+            stock_mm: 0.0,
+            scallop_mm: 0.1,
+            chord_mm: 0.01,
+            heights_mm: [0.0, 1.0],
+            planned_scallop_mm: [0.1; 2],
+            rows: std::iter::once(0..6).collect(),
+            edge_rows: 1,
+            edge_heights_mm: None,
+            turns: Some([vec![0, 0, 0, 1, 1, 1], vec![0, 0, 1, 1, 1, 2]]),
+            places: (0..6).map(place).collect(),
+            ends: Vec::new(),
+        };
+        assert!(rows.is_double_helix() && rows.held_rows() == 0 && rows.places_held() == 0);
+        let firsts = |tool: usize| -> Vec<(usize, usize)> {
+            let path = rows.toolpath(tool, Cones::Same(crate::artifact::Cone::about_blade(0.0)));
+            path.turns.iter().map(|t| (t.first, t.count)).collect()
+        };
+        assert_eq!((firsts(0), firsts(1)), (vec![(0, 3), (3, 3)], vec![(0, 2), (2, 3), (5, 1)]));
+        assert_eq!((rows.turn_of(0, 2), rows.turn_of(1, 2)), (0, 1));
+        // Tool 2's contact goes farthest: 2 mm along and 2 mm aside.
+        assert!((rows.longest_way_mm(3) - 8f64.sqrt()).abs() < 1e-12 && rows.longest_way_mm(5) == 0.0);
+        let thin = rows.thinned(2);
+        assert_eq!(thin.turns, Some([vec![0, 0, 1, 1], vec![0, 1, 1, 2]]));
+        let only = rows.only(std::slice::from_ref(&(2..5)));
+        assert_eq!((only.turns, only.edge_rows), (Some([vec![0, 1, 1], vec![1, 1, 1]]), 1));
+    }
 }

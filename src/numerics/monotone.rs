@@ -45,10 +45,16 @@ impl Monotone {
         }
         let i = self.x.partition_point(|v| *v <= x).clamp(1, last) - 1;
         let h = self.x[i + 1] - self.x[i];
-        let (f, g) = ((x - self.x[i]) / h, (self.x[i + 1] - x) / h);
-        let ends = self.y[i] * (g * g * (1.0 + 2.0 * f)) + self.y[i + 1] * (f * f * (1.0 + 2.0 * g));
-        ends + h * f * g * (self.slopes[i] * g - self.slopes[i + 1] * f)
+        let [ends, slopes] = [&self.y, &self.slopes].map(|of| [of[i], of[i + 1]]);
+        hermite(ends, slopes.map(|slope| slope * h), (x - self.x[i]) / h)
     }
+}
+
+/// The value at the share `f` of the way from one value to another, of the cubic with these slopes
+/// at its ends, over the whole way.
+pub fn hermite([a, b]: [f64; 2], [m0, m1]: [f64; 2], f: f64) -> f64 {
+    let g = 1.0 - f;
+    a + (b - a) * (f * f * (3.0 - 2.0 * f)) + m0 * (f * g * g) - m1 * (f * f * g)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::super::curve::cubic;
 use super::super::level::{LevelSet, Touch};
 use super::super::stepover::{Pass, ridge_height};
 use super::{PairOptions, no_pairs};
@@ -247,12 +248,8 @@ impl RowCurves {
             };
             let mut out = Vec::with_capacity(PIECES * centres.len());
             for k in 0..centres.len().saturating_sub(1) {
-                let (chord, m0, m1) = (centres[k + 1] - centres[k], slope(k), slope(k + 1));
-                for n in 0..PIECES {
-                    let f = n as f64 / PIECES as f64;
-                    let g = 1.0 - f;
-                    out.push(centres[k] + chord * (f * f * (3.0 - 2.0 * f)) + m0 * (f * g * g) - m1 * (f * f * g));
-                }
+                let (ends, slopes) = ([&centres[k], &centres[k + 1]], [slope(k), slope(k + 1)]);
+                out.extend((0..PIECES).map(|n| cubic(ends, slopes, n as f64 / PIECES as f64)));
             }
             out.extend(centres.last());
             out

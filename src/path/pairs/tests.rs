@@ -3,13 +3,14 @@
 
 use super::*;
 use crate::artifact::blade::{Diagnosis, Unit};
-use crate::artifact::region::{Area, Boundary, Patch, Region, Regions};
+use crate::artifact::region::{Area, Boundary, Extent, Patch, Region, Regions};
 use crate::error::ErrorKind;
 use crate::geometry::exact::tests::block;
 use crate::geometry::part::Part;
 use crate::geometry::profile::Sides;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::observe::Silent;
+use crate::path::PathOptions;
 
 const SIZE: [f64; 3] = [60.0, 40.0, 5.0];
 const H: f64 = 0.02;
@@ -223,4 +224,68 @@ fn a_border_is_smooth_and_nowhere_beyond_what_it_is_drawn_under() {
     assert!((found[5] - 8.0).abs() < 1e-12);
     let even = super::edges::smooth_under(&[3.0; 120], &x_mm, bend);
     assert!(even.iter().all(|v| *v == 3.0));
+}
+
+/// Heights at which a way passes the middle of the plate's upper side, highest first.
+fn passes(places: &[[Point; 2]]) -> Vec<f64> {
+    let passes = |w: &[[Point; 2]]| {
+        let ([a, from], [b, to]) = (w[0], w[1]);
+        let over = from.z > 4.9 && to.z > 4.9 && (from.y - 20.0) * (to.y - 20.0) <= 0.0 && from.y != to.y;
+        over.then(|| a.x + (b.x - a.x) * (20.0 - from.y) / (to.y - from.y))
+    };
+    let mut all: Vec<f64> = places.windows(2).filter_map(passes).collect();
+    all.sort_by(|a, b| b.total_cmp(a));
+    all.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+    all
+}
+
+/// Round a plate turns of a helix are evenly apart, and so are those of both threads together; each
+/// thread has half a turn more than half of the helix.
+#[test]
+fn threads_of_a_plate_lie_midway_between_each_other() {
+    let blade = plate();
+    let radius_mm = 4.0;
+    let options = PathOptions { extent: Extent::heights(Some(50.0), Some(20.0)), ..PathOptions::new(radius_mm, 0.05) };
+    let helix = crate::path::plan(&blade, &options, &Silent).unwrap();
+    let of_helix = passes(&helix.locations.iter().map(|l| [l.centre, l.contact]).collect::<Vec<_>>());
+    let step = (of_helix[2] - of_helix[of_helix.len() - 3]) / (of_helix.len() - 5) as f64;
+    let mut threads = Threads::of(&blade, &options, &helix).unwrap();
+    for by_normal in [0.0, 0.2, 0.5] {
+        threads.keep_step(by_normal);
+        let laid = threads.lay(&Silent).unwrap();
+        let parts: Vec<usize> = (0..laid.rows.places.len() - 1).map(|k| 1 + k % 3).collect();
+        let finer = threads.parted(&laid, &parts).unwrap();
+        assert_eq!(finer.rows.places.len(), 1 + parts.iter().sum::<usize>());
+        for rows in [&laid.rows, &finer.rows] {
+            for contact in rows.places.iter().flat_map(|p| p.contacts) {
+                let near = blade.part.closest(&contact.centre, 10.0).unwrap();
+                assert!((near.distance_mm - radius_mm).abs() < 1e-9, "{}", near.distance_mm);
+            }
+            for (w, j) in rows.places.windows(2).flat_map(|w| [(w, 0), (w, 1)]) {
+                let middle = nalgebra::center(&w[0].contacts[j].centre, &w[1].contacts[j].centre);
+                let near = blade.part.closest(&middle, 10.0).unwrap();
+                assert!(radius_mm - near.distance_mm < 1.01 * options.settings.chord_mm, "{}", near.distance_mm);
+            }
+            let way = |j: usize| rows.places.iter().map(|p| [p.contacts[j].centre, p.contacts[j].contact]).collect();
+            let both: [Vec<[Point; 2]>; 2] = [way(0), way(1)];
+            let mut all = [passes(&both[0]), passes(&both[1])].concat();
+            all.sort_by(|a, b| b.total_cmp(a));
+            // From the first turn of the helix to its last, nowhere farther apart, and evenly amid.
+            assert!(
+                (all[0] - of_helix[0]).abs() < 1e-3 && (all[all.len() - 1] - of_helix[of_helix.len() - 1]).abs() < 1e-3
+            );
+            let apart: Vec<f64> = all.windows(2).map(|w| w[0] - w[1]).collect();
+            assert!(apart.iter().all(|d| *d < 1.01 * step), "{apart:?} {step}");
+            let amid = &apart[2..apart.len() - 2];
+            assert!(amid.iter().all(|d| (d / step - 1.0).abs() < 0.01), "{amid:?} {step}");
+            // Both go round in step: where one is at one edge the other is at the other.
+            let turns = rows.turns.as_ref().unwrap();
+            let most = turns.each_ref().map(|t| t[t.len() - 1] + 1);
+            assert!(most.iter().all(|n| n.abs_diff(helix.turns.len() as u32 / 2) <= 2), "{most:?}");
+            for place in &rows.places {
+                let [one, two] = place.contacts.map(|c| c.contact.y);
+                assert!((one + two - 40.0).abs() < 2.0, "{one} {two}");
+            }
+        }
+    }
 }

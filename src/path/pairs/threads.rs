@@ -46,7 +46,7 @@ use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::{Point, Vector};
 use crate::numerics::angle::within_half_turn;
-use crate::numerics::monotone::Monotone;
+use crate::numerics::monotone::{Monotone, hermite};
 use crate::numerics::spline::{CubicSpline, SplineEnds};
 use crate::observe::Observer;
 use crate::parallel;
@@ -55,7 +55,7 @@ use crate::parallel;
 const LEAST_TURNS: usize = 3;
 /// Halvings of a move until its chord counts as near enough.
 const MOST_HALVINGS: u32 = 12;
-/// … and where it is short as well.
+/// The same where the chord is short.
 const SHORT_HALVINGS: u32 = 4;
 /// Thread 2 begins at this share of the first turn at least, and at one less this at most.
 const LEAST_BEGIN: f64 = 0.2;
@@ -149,7 +149,7 @@ impl<'a> Threads<'a> {
                 .advise("give a lower region.end_mm, or a lower path.scallop_mm"));
         }
         let level = plain_level(blade, options)?;
-        let edges = edges(region(blade, options)?, path, turns.len());
+        let edges = edges(region(blade, options)?, path);
         let none =
             Threads { level, options, path, turns, edges, begin: 0.5, second: None, off: [0.0; 2], bends: Vec::new() };
         Ok(Threads { bends: none.bends(), ..none })
@@ -202,7 +202,7 @@ impl<'a> Threads<'a> {
         // In order, and off the turns.
         for n in 0..3usize {
             let least = n.checked_sub(1).map_or(0.0, |before| out[before]) + LEAST_BEND;
-            out[n] = out[n].clamp(least, 1.0 - LEAST_BEND * (3 - n) as f64);
+            out[n] = out[n].max(least).min(1.0 - LEAST_BEND * (3 - n) as f64);
         }
         out
     }
@@ -495,9 +495,9 @@ impl Laws {
 
 /// Shares of a turn at which the helix passes the leading and the trailing edge, turn by turn,
 /// without jumps; `None`: they are not known.
-fn edges(region: &Region, path: &Toolpath, turns: usize) -> Option<[Vec<f64>; 2]> {
+fn edges(region: &Region, path: &Toolpath) -> Option<[Vec<f64>; 2]> {
     let sides = region.sides.as_ref()?;
-    let mut out = [Vec::with_capacity(turns), Vec::with_capacity(turns)];
+    let mut out = [Vec::new(), Vec::new()];
     for turn in &path.turns {
         let own = &path.locations[turn.first..turn.first + turn.count];
         for (e, shares) in out.iter_mut().enumerate() {
@@ -538,7 +538,7 @@ impl<'a> Phase<'a> {
                         let turn = turn as f64;
                         let mut at = turn + shares[0];
                         for _ in 0..ROUNDS {
-                            at = turn + between(shares, laws.rho(tool, at) - (at - turn));
+                            at = turn + among(shares, laws.rho(tool, at) - (at - turn));
                         }
                         [at, turn + phase]
                     })
@@ -602,10 +602,7 @@ fn bent(bends: &Bends, level: f64, place: f64) -> f64 {
     let share = |n: usize| {
         let [before, a, b, after] =
             [k.saturating_sub(1), k, k + 1, (k + 2).min(BEND_PLACES)].map(|place| bends[place][n]);
-        let f = at - k as f64;
-        let [m0, m1] = [0.5 * (b - before), 0.5 * (after - a)];
-        let g = 1.0 - f;
-        a + (b - a) * (f * f * (3.0 - 2.0 * f)) + m0 * (f * g * g) - m1 * (f * f * g)
+        hermite([a, b], [0.5 * (b - before), 0.5 * (after - a)], at - k as f64)
     };
     let [a, b, c] = LEVELS;
     let known = [[0.0, 0.0], [a, share(0)], [b, share(1)], [c, share(2)], [1.0, 1.0]];
@@ -669,7 +666,7 @@ fn averaged(values: &[f64]) -> Vec<f64> {
 }
 
 /// The value at a place among values at 0, 1, 2 …
-fn between(values: &[f64], at: f64) -> f64 {
+fn among(values: &[f64], at: f64) -> f64 {
     let last = values.len().saturating_sub(1);
     let at = at.clamp(0.0, last as f64);
     let k = (at.floor() as usize).min(last.saturating_sub(1));

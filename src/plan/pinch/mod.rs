@@ -558,13 +558,16 @@ fn closed(rows: &PairedRows, own: &[Vec<FreeAngles>; 2], both: &Both, place: usi
     } else {
         String::new()
     };
+    let (of, other) = match rows.is_double_helix() {
+        true => ("on the double helix".to_owned(), "region.end_mm above this height"),
+        false => (format!("in row {}", row + 1), "other pinch.heights_mm"),
+    };
     let message = format!(
-        "no angle of the table is free for both tools in row {} at height {height_mm:.3} mm, or from there to the place beside it: tool 1 is \
+        "no angle of the table is free for both tools {of} at height {height_mm:.3} mm, or from there to the place beside it: tool 1 is \
          clear at {}, tool 2 at {}{tools}",
-        row + 1,
         said(&free_deg[0]),
         said(&free_deg[1])
     );
     Error::infeasible(Stage::Channel, message, Infeasible::NoCommonAngle { row, height_mm, free_deg })
-        .advise("try other leans (machine.b_deg, pinch.b_2_deg), a longer or slimmer tool, or other pinch.heights_mm")
+        .advise(format!("try other leans (machine.b_deg, pinch.b_2_deg), a longer or slimmer tool, or {other}"))
 }

@@ -32,11 +32,12 @@ const BY_NORMAL: [f64; 4] = [0.1, 0.2, 0.35, 0.5];
 /// Places are as near as if the table turned so many times as fast: with these it may turn
 /// otherwise than with those that were there before.
 const FASTER: f64 = 1.25;
-/// The 99th percentile of the ridges may be over what is asked for by this factor …
+/// Where the 99th percentile of the ridges is over what is asked for by more than this factor, the
+/// helix is laid anew with a lower scallop …
 const HIGHER: f64 = 1.04;
-/// … before the helix is laid anew with a scallop with which they would be over it by this one, at
-/// most so often.
+/// … with which it would be over it by this factor …
 const ENOUGH: f64 = 1.02;
+/// … so often at most.
 const MOST_LOWER: usize = 3;
 /// Sections on which the blade's thickness is taken.
 const SECTIONS: u32 = 5;
@@ -228,11 +229,20 @@ impl Setup {
         if !shut.is_empty() {
             return Ok(Err(blocked(&shut)));
         }
-        let walls = pair::chain(&common)
-            .and_then(|walls| channel::of_walls(&walls, self.channel_options().settings.tolerance_deg.to_radians()));
-        let channel = match walls {
-            Ok(channel) => channel,
+        let walls = match pair::chain(&common) {
+            Ok(walls) => walls,
             Err(place) => return Ok(Err(blocked(&[place]))),
+        };
+        let channel = match channel::of_walls(&walls, self.job.channel.tolerance_deg.to_radians()) {
+            Ok(channel) => channel,
+            Err(place) => {
+                let blocked = blocked(&[place]);
+                let height_mm = rows.places[place].contacts[0].centre.x;
+                let message = format!(
+                    "the table would have to turn back for both tools on the double helix at height {height_mm:.3} mm"
+                );
+                return Ok(Err(Blocked { error: Error { message, ..blocked.error }, ..blocked }));
+            }
         };
         let path = on_longer_way(rows.toolpath(0, Cones::Same(cones[0])), &rows);
         let held = |schedule: &Schedule| {
@@ -288,17 +298,9 @@ impl Setup {
     /// How many parts each move needs while the table turns as planned.
     fn parts(&self, shared: &Shared) -> Vec<usize> {
         let chord_mm = TURNING_CHORD * self.job.path.chord_mm;
-        let theta: Vec<f64> = shared
-            .planned
-            .held
-            .iter()
-            .flat_map(|h| {
-                let from = usize::from(h.places.start > 0 && h.theta_rad.len() > 1);
-                h.theta_rad[from..].iter().copied()
-            })
-            .collect();
+        let theta = |place: usize| shared.planned.held.first().map_or(0.0, |h| h.theta_at(place));
         let of = |(k, w): (usize, &[PairPlace])| {
-            let turn = theta.get(k + 1).zip(theta.get(k)).map_or(0.0, |(b, a)| FASTER * (b - a).abs());
+            let turn = FASTER * (theta(k + 1) - theta(k)).abs();
             let off_mm = (0..2).map(|j| {
                 let [a, b] = [0, 1].map(|i| &w[i].contacts[j].centre);
                 let rho = [a, b].map(|p| self.off_table_axis_mm(p)).into_iter().fold(0.0, f64::max);
