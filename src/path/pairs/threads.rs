@@ -32,7 +32,7 @@
 
 use std::f64::consts::TAU;
 
-use super::super::curve::{arc_lengths, cubic, tangents};
+use super::super::curve::arc_lengths;
 use super::super::level::{LevelSet, Touch};
 use super::super::stepover::{Pass, ridge_height};
 use super::super::{PathOptions, chords, loses_surface, plain_level, region};
@@ -44,7 +44,7 @@ use crate::artifact::toolpath::{CutterLocation, PathKind};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::triangle::closest_on_segment;
-use crate::geometry::{Point, Vector};
+use crate::geometry::Point;
 use crate::numerics::angle::within_half_turn;
 use crate::numerics::monotone::{Monotone, hermite};
 use crate::numerics::spline::{CubicSpline, SplineEnds};
@@ -88,6 +88,9 @@ pub struct Threads<'a> {
     level: LevelSet<'a>,
     options: &'a PathOptions,
     path: &'a Toolpath,
+    /// Ball centres of the helix over its arc length: smooth to the second derivative, since threads
+    /// are cut at places much nearer to each other than its locations.
+    centres: CubicSpline,
     turns: Vec<Strand>,
     /// Where it passes the blade's edges, see [`edges`].
     edges: Option<[Vec<f64>; 2]>,
@@ -103,9 +106,9 @@ pub struct Threads<'a> {
 
 /// One turn of the helix, up to the start of the next.
 struct Strand {
-    centres: Vec<Point>,
-    tangents: Vec<Vector>,
-    /// Share of the turn at each.
+    /// Arc length of the helix at its start, mm.
+    from_mm: f64,
+    /// Share of the turn at each of its locations.
     share: Vec<f64>,
     /// What the normal has turned there since the helix began, less a turn for each turn of it, in
     /// turns.
@@ -149,9 +152,18 @@ impl<'a> Threads<'a> {
                 .advise("give a lower region.end_mm, or a lower path.scallop_mm"));
         }
         let level = plain_level(blade, options)?;
-        let edges = edges(region(blade, options)?, path);
-        let none =
-            Threads { level, options, path, turns, edges, begin: 0.5, second: None, off: [0.0; 2], bends: Vec::new() };
+        let none = Threads {
+            level,
+            options,
+            path,
+            centres: centres(path)?,
+            turns,
+            edges: edges(region(blade, options)?, path),
+            begin: 0.5,
+            second: None,
+            off: [0.0; 2],
+            bends: Vec::new(),
+        };
         Ok(Threads { bends: none.bends(), ..none })
     }
 
@@ -196,7 +208,7 @@ impl<'a> Threads<'a> {
     /// Shares of the way from turn `k + 1` to the next that leave the same ridges below shares of
     /// the way from turn `k` to that one as the turns themselves do.
     fn next_shares(&self, k: usize, place: f64, shares: [f64; 3]) -> [f64; 3] {
-        let [p, q, r] = [0, 1, 2].map(|n| self.turns[k + n].at(place));
+        let [p, q, r] = [0, 1, 2].map(|n| self.centre(k + n, place));
         let Some(gap) = Gap::of(self, [&p, &q, &r]) else { return shares };
         let mut out = shares.map(|share| gap.next(share).unwrap_or(share));
         // In order, and off the turns.
@@ -310,8 +322,8 @@ impl<'a> Threads<'a> {
         let k = (level.floor() as usize).min(self.turns.len() - 1);
         let share = share.clamp(0.0, 1.0);
         let f = self.bends.get(k).map_or(level - k as f64, |bends| bent(bends, level - k as f64, share));
-        let p = self.turns[k].at(share);
-        let q = if f > 0.0 { self.turns[k + 1].at(share) } else { p };
+        let p = self.centre(k, share);
+        let q = if f > 0.0 { self.centre(k + 1, share) } else { p };
         let guess = p + (q - p) * f;
         self.across([&p, &q], f).map(|t| self.closer(t)).ok_or_else(|| {
             Error::infeasible(
@@ -330,6 +342,12 @@ impl<'a> Threads<'a> {
             )
             .advise("take a smaller ball, or end the region higher")
         })
+    }
+
+    /// The ball centre of the helix at a share of one of its turns.
+    fn centre(&self, turn: usize, share: f64) -> Point {
+        let s_mm = self.turns[turn].from_mm + share * self.turns[turn].length_mm;
+        Point::from([0, 1, 2].map(|k| self.centres.value(s_mm, k)))
     }
 
     /// The ridge between two passes, mm; `None` where nothing is known of it.
@@ -400,17 +418,12 @@ impl Strand {
         let own = path.turns[turn];
         let end = (own.first + own.count + 1).min(path.locations.len());
         let locations = &path.locations[own.first..end];
-        let touches: Vec<Touch> = locations
-            .iter()
-            .map(|l| Touch { centre: l.centre, contact: l.contact, normal: l.normal, face: 0 })
-            .collect();
-        let centre = |k: usize| path.locations.get(k).map(|l| &l.centre);
-        let tangents = tangents(own.first.checked_sub(1).and_then(centre), &touches, centre(end));
-        let s_mm: Vec<f64> = locations.iter().map(|l| l.s_mm - locations[0].s_mm).collect();
+        let from_mm = locations[0].s_mm;
+        let s_mm: Vec<f64> = locations.iter().map(|l| l.s_mm - from_mm).collect();
         let length_mm = s_mm.last().copied().unwrap_or(0.0);
         let share = s_mm.iter().map(|s| s / length_mm.max(f64::MIN_POSITIVE)).collect();
         let turned = turned[own.first..end].iter().map(|all| all - turn as f64).collect();
-        Strand { centres: touches.iter().map(|t| t.centre).collect(), tangents, share, turned, length_mm }
+        Strand { from_mm, share, turned, length_mm }
     }
 
     /// What the normal has turned at a share of the turn, see `turned`.
@@ -424,19 +437,17 @@ impl Strand {
         let a = self.turned[i];
         if width > 0.0 { a + (b - a) * ((share - self.share[i]) / width).clamp(0.0, 1.0) } else { *b }
     }
+}
 
-    /// The ball centre at a share of the turn.
-    fn at(&self, share: f64) -> Point {
-        let last = self.centres.len() - 1;
-        let i = self.share.partition_point(|s| *s <= share).clamp(1, last.max(1)) - 1;
-        let Some(b) = self.centres.get(i + 1) else { return self.centres[i] };
-        let (a, width) = (&self.centres[i], self.share[i + 1] - self.share[i]);
-        if width <= 0.0 {
-            return *b;
-        }
-        let length_mm = (b - a).norm();
-        cubic([a, b], [self.tangents[i], self.tangents[i + 1]].map(|t| t * length_mm), (share - self.share[i]) / width)
-    }
+/// The ball centres of a helix over its arc length.
+///
+/// # Errors
+/// Kind `Usage` where two locations are in one place.
+fn centres(path: &Toolpath) -> Result<CubicSpline> {
+    let s_mm: Vec<f64> = path.locations.iter().map(|l| l.s_mm).collect();
+    let values: Vec<f64> = path.locations.iter().flat_map(|l| [l.centre.x, l.centre.y, l.centre.z]).collect();
+    CubicSpline::new(&s_mm, &values, 3, &SplineEnds::Natural)
+        .map_err(|e| Error::usage(Stage::Path, format!("the helix has no smooth curve through its locations: {e}")))
 }
 
 /// What the normal has turned about the region's axis at each location, in turns, counted so that
