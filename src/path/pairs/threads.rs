@@ -43,8 +43,8 @@ use crate::artifact::region::Region;
 use crate::artifact::toolpath::{CutterLocation, PathKind};
 use crate::artifact::{Blade, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage};
-use crate::geometry::triangle::closest_on_segment;
 use crate::geometry::Point;
+use crate::geometry::triangle::closest_on_segment;
 use crate::numerics::angle::within_half_turn;
 use crate::numerics::monotone::{Monotone, hermite};
 use crate::numerics::spline::{CubicSpline, SplineEnds};
@@ -88,8 +88,8 @@ pub struct Threads<'a> {
     level: LevelSet<'a>,
     options: &'a PathOptions,
     path: &'a Toolpath,
-    /// Ball centres of the helix over its arc length: smooth to the second derivative, since threads
-    /// are cut at places much nearer to each other than its locations.
+    /// Ball centres of the helix over its arc length: smooth to the second derivative, since
+    /// threads are cut at places much nearer to each other than its locations.
     centres: CubicSpline,
     turns: Vec<Strand>,
     /// Where it passes the blade's edges, see [`edges`].

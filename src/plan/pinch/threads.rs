@@ -32,6 +32,11 @@ const BY_NORMAL: [f64; 4] = [0.1, 0.2, 0.35, 0.5];
 /// Places are as near as if the table turned so many times as fast: with these it may turn
 /// otherwise than with those that were there before.
 const FASTER: f64 = 1.25;
+/// So often at most, since the table may turn otherwise with nearer places …
+const MOST_PARTINGS: usize = 3;
+/// … and no more where moves would be parted into so many: they then keep to the tolerance as they
+/// are, of which a share is allowed for.
+const ENOUGH_PARTS: usize = 2;
 /// Where the 99th percentile of the ridges is over what is asked for by more than this factor, the
 /// helix is laid anew with a lower scallop …
 const HIGHER: f64 = 1.04;
@@ -128,19 +133,25 @@ impl Setup {
         at: ([Cone; 2], f64),
         observer: &dyn Observer,
     ) -> Result<std::result::Result<Shared, Blocked>> {
-        let coarse = timed(observer, Stage::Path, || threads.lay(observer))?;
-        let own = self.free_of_both(around, &coarse.rows, at.0, observer)?;
-        let turning = |rows: PairedRows, own, closely| {
-            timed(observer, Stage::Schedule, || self.turning_along(rows, own, at, closely, observer))
+        let mut laid = timed(observer, Stage::Path, || threads.lay(observer))?;
+        let turning = |rows: &PairedRows, closely| {
+            let own = self.free_of_both(around, rows, at.0, observer)?;
+            timed(observer, Stage::Schedule, || self.turning_along(rows.clone(), own, at, closely, observer))
         };
-        let shared = match turning(coarse.rows.clone(), own, false)? {
-            Ok(shared) => shared,
-            blocked => return Ok(blocked),
-        };
-        let parts = self.parts(&shared);
-        let fine = timed(observer, Stage::Path, || threads.parted(&coarse, &parts))?;
-        let own = self.free_of_both(around, &fine.rows, at.0, observer)?;
-        turning(fine.rows, own, true)
+        let mut found = turning(&laid.rows, false)?;
+        for round in 0..MOST_PARTINGS {
+            let Ok(shared) = &found else { break };
+            let mut parts = self.parts(shared);
+            if round > 0 {
+                parts.iter_mut().filter(|parts| **parts <= ENOUGH_PARTS).for_each(|parts| *parts = 1);
+                if parts.iter().all(|parts| *parts == 1) {
+                    break;
+                }
+            }
+            laid = timed(observer, Stage::Path, || threads.parted(&laid, &parts))?;
+            found = turning(&laid.rows, true)?;
+        }
+        Ok(found)
     }
 
     /// Keys that say something else.
