@@ -343,33 +343,39 @@ pub struct PinchMotion {
 mod tests {
     use super::*;
 
-    #[test]
-    fn thinned_rows_keep_both_ends() {
-        let at = |x: f64| {
+    /// One row of places at 0, 1, 2 mm … of tool 1; those of tool 2 are so many times as far, and
+    /// its contacts as far aside again.
+    fn rows(count: usize, second: f64) -> PairedRows {
+        let at = |x: f64, aside: f64| {
             let centre = Point::new(x, 0.0, 0.0);
-            BallContact { centre, contact: centre, normal: Vector::y(), face: 0 }
+            BallContact { centre, contact: centre + Vector::y() * aside, normal: Vector::y(), face: 0 }
         };
         let place = |k: usize| PairPlace {
-            contacts: [at(k as f64); 2],
+            contacts: [at(k as f64, 0.0), at(second * k as f64, second * k as f64)],
             held_centre: Point::origin(),
             held_radius_mm: 1.0,
             angle_rad: 0.0,
             apart_mm: 0.0,
         };
-        let rows = PairedRows {
+        PairedRows {
             radius_mm: [1.0; 2],
             stock_mm: 0.0,
             scallop_mm: 0.1,
             chord_mm: 0.01,
             heights_mm: [0.0, 1.0],
             planned_scallop_mm: [0.1; 2],
-            rows: vec![0..7, 7..8, 8..11, 11..11],
+            rows: std::iter::once(0..count).collect(),
             edge_rows: 0,
             edge_heights_mm: None,
             turns: None,
-            places: (0..11).map(place).collect(),
+            places: (0..count).map(place).collect(),
             ends: Vec::new(),
-        };
+        }
+    }
+
+    #[test]
+    fn thinned_rows_keep_both_ends() {
+        let rows = PairedRows { rows: vec![0..7, 7..8, 8..11, 11..11], ..rows(11, 1.0) };
         let of = |every: usize| {
             let thin = rows.thinned(every);
             let heights: Vec<usize> = thin.places.iter().map(|p| p.contacts[0].centre.x as usize).collect();
@@ -383,31 +389,8 @@ mod tests {
 
     #[test]
     fn turns_of_a_double_helix_are_those_of_its_threads() {
-        let at = |x: f64| {
-            let centre = Point::new(x, 0.0, 0.0);
-            BallContact { centre, contact: centre + Vector::y() * x, normal: Vector::y(), face: 0 }
-        };
-        let place = |k: usize| PairPlace {
-            contacts: [at(k as f64), at(2.0 * k as f64)],
-            held_centre: Point::origin(),
-            held_radius_mm: 1.0,
-            angle_rad: 0.0,
-            apart_mm: 0.0,
-        };
-        let rows = PairedRows {
-            radius_mm: [1.0; 2],
-            stock_mm: 0.0,
-            scallop_mm: 0.1,
-            chord_mm: 0.01,
-            heights_mm: [0.0, 1.0],
-            planned_scallop_mm: [0.1; 2],
-            rows: std::iter::once(0..6).collect(),
-            edge_rows: 1,
-            edge_heights_mm: None,
-            turns: Some([vec![0, 0, 0, 1, 1, 1], vec![0, 0, 1, 1, 1, 2]]),
-            places: (0..6).map(place).collect(),
-            ends: Vec::new(),
-        };
+        let turns = Some([vec![0, 0, 0, 1, 1, 1], vec![0, 0, 1, 1, 1, 2]]);
+        let rows = PairedRows { edge_rows: 1, turns, ..rows(6, 2.0) };
         assert!(rows.is_double_helix() && rows.held_rows() == 0 && rows.places_held() == 0);
         let firsts = |tool: usize| -> Vec<(usize, usize)> {
             let path = rows.toolpath(tool, Cones::Same(crate::artifact::Cone::about_blade(0.0)));

@@ -102,16 +102,8 @@ pub fn check(work: &PinchWork, options: &VerifyOptions) -> (Vec<Check>, PinchFig
     if order.len() < 2 {
         return (checks, figures);
     }
-    let contact = |tool: usize, k: usize| &work.rows.places[k].contacts[tool];
-    let sweeps = [0, 1].map(|tool| {
-        Sweep::of(
-            order.iter().map(|(_, k)| contact(tool, *k).centre).collect(),
-            order.iter().map(|(_, k)| contact(tool, *k).contact).collect(),
-            order.iter().map(|(_, k)| work.rows.turn_of(tool, *k)).collect(),
-            work.tools[tool].radius_mm,
-            Some(cuts.clone()),
-        )
-    });
+    let places: Vec<usize> = order.iter().map(|(_, k)| *k).collect();
+    let sweeps = swept(work.rows, &places, work.tools.map(|t| t.radius_mm), Some(&cuts));
     let part = Allowed::new(&work.blade.part, work.rows.stock_mm);
     let (mut sides, mut borders, mut both) = (Vec::new(), Vec::new(), Vec::new());
     for (tool, sweep) in sweeps.iter().enumerate() {
@@ -157,19 +149,25 @@ pub fn threads_p99_mm(rows: &PairedRows, part: &Part, scallop_mm: f64) -> f64 {
         return 0.0;
     }
     let part = Allowed::new(part, rows.stock_mm);
-    let sweeps = [0, 1].map(|tool| {
-        let contact = |k: usize| &rows.places[k].contacts[tool];
-        let places = 0..rows.places.len();
-        Sweep::of(
-            places.clone().map(|k| contact(k).centre).collect(),
-            places.clone().map(|k| contact(k).contact).collect(),
-            places.map(|k| rows.turn_of(tool, k)).collect(),
-            rows.radius_mm[tool],
-            None,
-        )
-    });
+    let places: Vec<usize> = (0..rows.places.len()).collect();
+    let sweeps = swept(rows, &places, rows.radius_mm, None);
     let of = |tool: usize| sort(ridges(&part, &sweeps, tool, rows, scallop_mm).into_iter().flatten().collect());
     [0, 1].map(|tool| percentile(&of(tool), 0.99)).into_iter().fold(0.0, f64::max)
+}
+
+/// The swept balls of both tools from place to place; `wanted`: the moves that count, all where it
+/// is left out.
+fn swept(rows: &PairedRows, places: &[usize], radius_mm: [f64; 2], wanted: Option<&[bool]>) -> [Sweep; 2] {
+    [0, 1].map(|tool| {
+        let contact = |k: &usize| &rows.places[*k].contacts[tool];
+        Sweep::of(
+            places.iter().map(|k| contact(k).centre).collect(),
+            places.iter().map(|k| contact(k).contact).collect(),
+            places.iter().map(|k| rows.turn_of(tool, *k)).collect(),
+            radius_mm[tool],
+            wanted.map(<[bool]>::to_vec),
+        )
+    })
 }
 
 /// Every move of every row is cut by some stretch.

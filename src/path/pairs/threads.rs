@@ -24,8 +24,9 @@
 //! share of it is that of the way on the level set.
 //!
 //! ## Guarantees
-//! Every ball is within 1e-6 mm of its level set, and the straight moves stay within the chord
-//! tolerance at their middles. That ridges are those of the helix is measured by the checks.
+//! Every ball is within 1e-6 mm of its level set. The straight moves stay within the chord
+//! tolerance at their middles, but for those so short that a path which bends no more than the ball
+//! does is within it: in a crease. That ridges are those of the helix is measured by the checks.
 //!
 //! ## Limits
 //! Balls of one radius. Nothing is held: the forces of both tools are a couple.

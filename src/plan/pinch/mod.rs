@@ -216,12 +216,8 @@ impl Setup {
 
     /// Rows for both tools, before anything is known of their shafts.
     fn paired_rows(&self, observer: &dyn Observer) -> Result<PairedRows> {
+        self.shares_the_table("rows for two tools are planned")?;
         let (job, asked, tools) = (&self.job, self.pinch_settings(), self.pinch_tools());
-        tools.into_iter().try_for_each(|t| t.ball_only("rows for two tools are planned"))?;
-        if !job.orientation.kind.goes_round() {
-            return Err(Error::usage(Stage::Job, "two tools share the turning of the blade: each keeps one lean")
-                .advise("leave out orientation.kind"));
-        }
         let options = PairOptions {
             settings: job.path.clone(),
             radius_mm: tools.map(|t| t.radius_mm),
@@ -231,6 +227,16 @@ impl Setup {
             edges: asked.edges == PinchEdges::Both,
         };
         timed(observer, Stage::Path, || pairs::plan(&self.blade, &options, observer))
+    }
+
+    /// Whether both tools are balls that keep one lean each.
+    fn shares_the_table(&self, what: &str) -> Result<()> {
+        self.pinch_tools().into_iter().try_for_each(|t| t.ball_only(what))?;
+        if self.job.orientation.kind.goes_round() {
+            return Ok(());
+        }
+        Err(Error::usage(Stage::Job, "two tools share the turning of the blade: each keeps one lean")
+            .advise("leave out orientation.kind"))
     }
 
     /// What is in the way of both tools. One index serves balls of one radius.

@@ -156,8 +156,8 @@ impl Setup {
 
     /// Keys that say something else.
     fn is_for_threads(&self) -> Result<()> {
+        self.shares_the_table("a double helix is planned")?;
         let (job, asked, tools) = (&self.job, self.pinch_settings(), self.pinch_tools());
-        tools.into_iter().try_for_each(|t| t.ball_only("a double helix is planned"))?;
         if self.blade.part.brep.is_none() {
             let message =
                 "the part is a mesh: places of a double helix are so near to each other that its facets shake all axes";
@@ -165,12 +165,6 @@ impl Setup {
                 .advise("take the CAD model with its exact faces (STEP or IGES)"));
         }
         let refuse = |message: String, advice: &str| Err(Error::usage(Stage::Job, message).advise(advice));
-        if !job.orientation.kind.goes_round() {
-            return refuse(
-                "two tools share the turning of the blade: each keeps one lean".into(),
-                "leave out orientation.kind",
-            );
-        }
         let [first, second] = tools.map(|t| t.radius_mm);
         if first != second {
             let message = format!(
