@@ -11,6 +11,7 @@ pub mod cone;
 pub mod curve;
 pub mod deviation;
 pub mod lead;
+pub mod meridian;
 pub mod motion;
 pub mod obstacle;
 mod packed;

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::along::Along;
+use super::meridian::Meridian;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::profile::Sides;
 use crate::geometry::slice::Loop;
@@ -172,6 +173,12 @@ impl Regions {
     /// The first region of a kind.
     pub fn first(&self, area: Area) -> Option<&Region> {
         self.list.iter().find(|r| r.area == area)
+    }
+
+    /// Heights of the first airfoil over a hub that turns from along the rotor axis to across it;
+    /// `None` where its heights are along an axis.
+    pub fn over_hub(&self) -> Option<&Meridian> {
+        self.first(Area::Airfoil)?.along.round()
     }
 
     /// Heights between which sections of the first airfoil are one loop, clear of platform, shroud

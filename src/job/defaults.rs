@@ -18,7 +18,7 @@ use crate::channel::ChannelSettings;
 use crate::error::{Error, Result, Stage};
 use crate::feed::FeedSettings;
 use crate::machine::{Machine, MachineSettings};
-use crate::orient::OrientationSettings;
+use crate::orient::{OrientationKeys, OrientationKind, OrientationSettings};
 use crate::pair::PinchSettings;
 use crate::path::{self, PathKeys, PathSettings};
 use crate::schedule::ScheduleSettings;
@@ -194,7 +194,7 @@ impl Draft {
             fixture: t.fixture.into_iter().flatten().map(|f| body("fixture", f)).collect::<Result<_>>()?,
             stock: t.stock.map(|f| body("stock", f)).transpose()?,
             wheel: wheel::settled(t.wheel, blade.wheel.as_ref())?,
-            orientation: OrientationSettings::default().with_typed(t.orientation),
+            orientation: orientation(t.orientation, blade)?,
             cut: t.cut.map(|c| CutSettings::default().with_typed(Some(c))),
             pinch: t.pinch.map(|p| PinchSettings::default().with_typed(Some(p))),
             path,
@@ -220,6 +220,22 @@ impl Draft {
     }
 }
 
+/// The tool axes as typed; five axes where the hub turns, which no cone about one axis reaches
+/// over.
+///
+/// # Errors
+/// `Usage` where such a cone is asked for there.
+fn orientation(keys: Option<OrientationKeys>, blade: &Blade) -> Result<OrientationSettings> {
+    let turns = blade.regions.over_hub().is_some();
+    let kind = if turns { OrientationKind::FiveAxis } else { OrientationKind::default() };
+    let settings = OrientationSettings { kind, ..OrientationSettings::default() }.with_typed(keys);
+    if turns && settings.kind.goes_round() {
+        let message = "orientation.kind is cone, but the blade's hub turns from along the rotor axis to across it";
+        return Err(Error::usage(Stage::Job, message).advise("leave orientation.kind out, which is five-axis then"));
+    }
+    Ok(settings)
+}
+
 /// How far a cutter with a corner leans from the surface normal, degrees: so little leaves wide
 /// strips, and so much keeps the back of its bottom clear of walls that are hardly hollow.
 const LEANS_DEG: [f64; 2] = [3.0, 12.0];
@@ -232,12 +248,14 @@ fn leaning(channel: ChannelSettings) -> ChannelSettings {
 /// The path as typed, the rest as blade, region and ball ask for.
 fn path_settings(keys: Option<PathKeys>, blade: &Blade, region: &RegionSettings, radius_mm: f64) -> PathSettings {
     let usual = PathSettings::default();
-    let free = region.end_faces.is_empty();
+    // Blades over a hub that turns lean far where they leave it.
+    let free = region.end_faces.is_empty() && blade.regions.over_hub().is_none();
     let typed_chord_mm = keys.as_ref().and_then(|k| k.chord_mm);
+    let kind = keys.as_ref().and_then(|k| k.kind).unwrap_or_else(|| default_kind(blade, region));
     let path = PathSettings {
-        kind: default_kind(blade, region),
+        kind,
         max_step_mm: (0.25 * radius_mm).min(usual.max_step_mm),
-        max_lean_deg: if free { usual.max_lean_deg } else { path::most_lean_deg(PathKind::ConstantScallop) },
+        max_lean_deg: if free { usual.max_lean_deg } else { path::most_lean_deg(kind) },
         ..usual
     };
     let path = path.with_typed(keys);
@@ -281,14 +299,20 @@ fn outside(key: &str, x: f64, lo: f64, hi: f64) -> Error {
 
 fn default_start(blade: &Blade, radius_mm: f64) -> f64 {
     let [a, b] = blade.regions.airfoil_x_mm();
+    // Nothing but this path mills such a blade.
+    if blade.regions.over_hub().is_some() {
+        return b;
+    }
     a + (0.3 * (b - a)).max(3.0 * radius_mm).min(40.0).min(0.9 * (b - a))
 }
 
 /// Turns of constant scallop, but planar ones on a mesh: those that are laid from one another take
-/// up what its facets do to each, and on a scan the shorter path takes longer. Only turns of
-/// constant scallop run along the edge of a face.
+/// up what its facets do to each, and on a scan the shorter path takes longer. Over a hub that
+/// turns the blade is higher at its one end, where turns of constant scallop would wait for the
+/// others. Only turns of constant scallop run along the edge of a face.
 fn default_kind(blade: &Blade, region: &RegionSettings) -> PathKind {
-    let free = blade.part.brep.is_some() || !region.end_faces.is_empty();
+    let is_straight = blade.part.brep.is_some() && blade.regions.over_hub().is_none();
+    let free = is_straight || !region.end_faces.is_empty();
     if free { PathKind::ConstantScallop } else { PathKind::ConstantHeight }
 }
 

@@ -59,6 +59,11 @@ pub(super) struct Share {
 impl WallPlaces {
     /// Places between the region's heights, as far as they are known.
     pub(super) fn new(blade: &Blade, start_mm: Option<f64>, end_mm: Option<f64>) -> WallPlaces {
+        // Sections across an axis say nothing of a blade whose hub turns.
+        if blade.regions.over_hub().is_some() {
+            let none = || Surface { places: Vec::new(), area_mm2: 0.0 };
+            return WallPlaces { of: [none(), none()], heights_mm: [0.0; 2], chord_mm: (0.0, 0.0) };
+        }
         let [a, b] = blade.regions.airfoil_x_mm();
         let top = start_mm.unwrap_or_else(|| near_platform(blade)).clamp(a, b).max(a + 0.02 * (b - a));
         let foot = end_mm.map_or(a, |e| e.clamp(a, top));

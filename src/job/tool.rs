@@ -188,6 +188,11 @@ fn default_cutter(
     reaches: impl Fn(&Cutter) -> bool,
     warnings: &mut Vec<Doubt>,
 ) -> Result<(Cutter, String)> {
+    if blade.regions.over_hub().is_some() {
+        let message = "tool.radius_mm is missing, and none is chosen for a blade whose hub turns from along the rotor axis to across it";
+        return Err(Error::usage(Stage::Job, message)
+            .advise("give the radius of a ball that has room between two blades and in the fillets"));
+    }
     let none = || Error::infeasible(Stage::Job, "the tool catalogue is empty", Infeasible::NoTools);
     let [smallest, largest] = [catalogue.cutter.first(), catalogue.cutter.last()];
     let (smallest, largest) = smallest.zip(largest).ok_or_else(none)?;

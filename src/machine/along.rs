@@ -10,6 +10,9 @@ use super::chain::Held;
 use crate::artifact::{Axes, AxisRows, Cone, Stand};
 use crate::numerics::series::Series;
 
+/// Rotary axes that turn by more than this from one place to the next go over to the other posture.
+const GOES_OVER_RAD: f64 = 0.7;
+
 impl Machine {
     /// Axis positions (mm, rad) of a tool that stands so, those nearest to `near` where several
     /// bring it there; `None`: near 0. `gauge_length_mm` as in [`Machine::inverse`]. Not numbers
@@ -31,11 +34,14 @@ impl Machine {
         self.rotary_of_axis(&stand.axis(), &near).unwrap_or(Axes::from_fn(count, |_| f64::NAN))
     }
 
-    /// Axis positions along a motion, each nearest to those before it.
+    /// Axis positions along a motion, each nearest to those before it. Of the two ways to reach the
+    /// first tool axis that one which turns the rotary axes less along the motion: from the other
+    /// they may have to go over to it halfway, where an axis comes to an end of its travel.
     pub fn along(&self, stands: impl IntoIterator<Item = Stand>, gauge_length_mm: f64) -> AxisRows {
         let (head, count) = (self.head(), self.axes().len());
-        let stands = stands.into_iter();
-        let mut out = AxisRows::with_capacity(count, stands.size_hint().0);
+        let stands: Vec<Stand> = stands.into_iter().collect();
+        let first = self.first_posture(&stands);
+        let mut out = AxisRows::with_capacity(count, stands.len());
         let mut held: Option<Held> = None;
         for stand in stands {
             let lean_rad = stand.cone.lean_rad;
@@ -47,12 +53,37 @@ impl Machine {
                 head.place_held(&stand.centre, stand.theta, held, &mut row);
                 out.push(&row);
             } else {
-                let last = out.len().checked_sub(1).and_then(|k| out.get(k));
+                let last = out.len().checked_sub(1).and_then(|k| out.get(k)).or(first.as_deref());
                 let placed = self.place(&stand, last, gauge_length_mm);
                 out.push(&placed);
             }
         }
         out
+    }
+
+    /// Where the rotary axes best stand before a motion; `None`: near 0, or the motion begins on
+    /// the cone about the blade axis.
+    fn first_posture(&self, stands: &[Stand]) -> Option<Axes> {
+        let first = stands.first().filter(|s| !s.cone.is_about_blade())?;
+        let rotary: Vec<usize> = self.rotary().collect();
+        // How far they turn from there, and how far at most at once.
+        let way = |from: &[f64]| {
+            let mut last = self.turn_to(first, Some(from));
+            let (mut sum, mut most) = (0.0, 0.0f64);
+            for stand in &stands[1..] {
+                let next = self.turn_to(stand, Some(&last[..]));
+                let turned: f64 = rotary.iter().map(|k| (next[*k] - last[*k]).abs()).sum();
+                (sum, most, last) = (sum + turned, most.max(turned), next);
+            }
+            (sum, most)
+        };
+        let near = self.turn_to(first, None);
+        let (sum, most) = way(&near[..]);
+        if most < GOES_OVER_RAD {
+            return None;
+        }
+        let other = self.head().other_posture(&first.axis(), &near[..])?;
+        (way(&other[..]).0 < sum).then_some(other)
     }
 
     /// Axis positions as power series of a parameter, one for each axis, from those of the ball

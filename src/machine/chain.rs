@@ -7,7 +7,8 @@
 //! 1984, Murray, Li and Sastry 1994, chapter 3)
 //!
 //! ```text
-//! T(q) = E₁(q₁) E₂(q₂) … Eₙ(qₙ),     ball centre  c = M⁻¹ T (g − L a₀),     tool axis  a = M⁻¹ T a₀
+//! T(q) = E₁(q₁) E₂(q₂) … Eₙ(qₙ),     ball centre  c = M⁻¹ T (g − L a₀),     tool axis  a = M⁻¹ T
+//! a₀
 //! ```
 //!
 //! with the gauge point `g` and the tool axis `a₀` while all axes read 0, the length `L` from ball
@@ -482,6 +483,18 @@ impl Head {
     pub(super) fn rotary_of_axis(&self, axis: &Vector, near: &[f64]) -> Option<Axes> {
         let mut row = Axes::from(near);
         self.put(self.along(axis, self.rotary_in(near))?, &mut row);
+        Some(row)
+    }
+
+    /// The row `near`, but the rotary axes as they reach a tool axis in the other way than there.
+    pub(super) fn other_posture(&self, axis: &Vector, near: &[f64]) -> Option<Axes> {
+        let (a, at) = (self.mount * axis.try_normalize(f64::MIN_POSITIVE)?, self.rotary_in(near));
+        let both = self.second_of(self.first.direction.dot(&a), WORDS)?;
+        let off = |q2: &f64| within_half_turn(q2 - at[1]).abs();
+        let q2 = both.into_iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
+        let mut row = Axes::from(near);
+        let [q1, q2] = [self.first_of(&a, q2) - at[0], q2 - at[1]].map(within_half_turn);
+        self.put([at[0] + q1, at[1] + q2], &mut row);
         Some(row)
     }
 

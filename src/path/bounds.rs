@@ -87,9 +87,14 @@ impl<'a> Bounds<'a> {
     /// Whether a touch is within.
     pub fn hold(&self, t: &Touch) -> bool {
         (self.x_mm[0]..=self.x_mm[1]).contains(&self.along.height_mm(&t.centre))
-            && self.along.lean(&t.normal).abs() <= self.max_sin_lean
+            && self.lean(t).abs() <= self.max_sin_lean
             && !self.is_on_end_face(t)
             && !self.is_at_rim(t)
+    }
+
+    /// Sine of the lean of the wall at a touch.
+    fn lean(&self, t: &Touch) -> f64 {
+        self.along.frame(&t.centre).lean(&t.normal)
     }
 
     /// Whether a touch is at the rim that may not be touched.
@@ -103,7 +108,7 @@ impl<'a> Bounds<'a> {
             Stop::Face(outside.contact, outside.face)
         } else if self.is_at_rim(outside) {
             Stop::Rim(outside.contact)
-        } else if self.along.lean(&outside.normal).abs() <= self.max_sin_lean {
+        } else if self.lean(outside).abs() <= self.max_sin_lean {
             Stop::Height
         } else if inside.normal.dot(&outside.normal) < STEP_RAD.cos() {
             Stop::Corner(outside.contact)

@@ -62,6 +62,9 @@ const COARSEST: f64 = 0.1;
 const MOST_SCALLOP: f64 = 1.1;
 /// How far over the start height a place may be cut, as a share of the height of the region.
 const HIGHEST: f64 = 0.5;
+/// The blade of an impeller is higher at its one end than at the other, so that many turns would be
+/// over the tips there: places are waited at so many stepovers above the start.
+const WAITS_OVER_HUB: f64 = 0.05;
 /// By so many stepovers places are waited at lower down where turns over the start height lose the
 /// surface.
 const WAITING: f64 = 2.0;
@@ -340,7 +343,11 @@ impl<'a> Laying<'a> {
         let (start_x, options) = (self.start_x, self.options);
         let end_x = end.iter().map(|t| self.height_mm(&t.centre)).fold(f64::INFINITY, f64::min);
         let to_faces = !self.options.extent.start_faces().is_empty();
-        let mut highest = if to_faces { f64::INFINITY } else { start_x + HIGHEST * (start_x - end_x) };
+        let above_mm = match self.level.along.round() {
+            Some(_) => WAITS_OVER_HUB * self.flat_mm,
+            None => HIGHEST * (start_x - end_x),
+        };
+        let mut highest = if to_faces { f64::INFINITY } else { start_x + above_mm };
         let mut rest = Rest::new(PATIENCE[1]);
         loop {
             let room = Bounds {

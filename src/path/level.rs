@@ -23,18 +23,19 @@ pub struct Touch {
 impl Touch {
     /// Cosine of the angle between the normal and the plane across the region (1: wall along it).
     pub fn cos_lean(&self, along: &Along) -> f64 {
-        let [a, b] = along.across(&self.normal);
+        let [a, b] = along.frame(&self.centre).across(&self.normal);
         a.hypot(b)
     }
     /// Direction of the path in the plane across the region, counter-clockwise seen from its start;
     /// unit.
     pub fn tangent(&self, along: &Along) -> Vector {
-        let [a, b] = along.across(&self.normal);
-        along.vector(0.0, [-b, a]) / a.hypot(b).max(1e-12)
+        let frame = along.frame(&self.centre);
+        let [a, b] = frame.across(&self.normal);
+        frame.vector(0.0, [-b, a]) / a.hypot(b).max(1e-12)
     }
-    /// Angle of the normal about the region's axis, rad.
+    /// Angle of the normal about the way up, rad.
     pub fn azimuth(&self, along: &Along) -> f64 {
-        let [a, b] = along.across(&self.normal);
+        let [a, b] = along.frame(&self.centre).across(&self.normal);
         b.atan2(a)
     }
 }
@@ -60,6 +61,8 @@ pub struct LevelSet<'a> {
 /// Residual at which a centre counts as on the level set, mm: a thousandth of the finest tolerance
 /// in use.
 const ON_LEVEL_MM: f64 = 1e-6;
+/// Moves of a touch back to its height over a hub that turns.
+const MOST_LEVELLINGS: usize = 12;
 /// Newton steps before giving up; smooth places need 3, concave creases converge linearly.
 const MAX_STEPS: usize = 60;
 
@@ -89,10 +92,23 @@ impl LevelSet<'_> {
         RIM_RAD.iter().all(is_clear)
     }
 
-    /// Moves a guess within its plane across the region onto the level set, see
-    /// [`Self::touch_across`].
+    /// Moves a guess at its own height onto the level set, see [`Self::touch_across`]: within the
+    /// plane across the region, or, over a hub that turns, within the surface of that height.
     pub fn touch_in_plane(&self, guess: &Point, reach_mm: f64) -> Option<Touch> {
-        self.touch_across(guess, self.along.axis(), reach_mm)
+        let across = |q: &Point| self.touch_across(q, self.along.frame(q).up(), reach_mm);
+        let mut touch = across(guess)?;
+        if self.along.round().is_none() {
+            return Some(touch);
+        }
+        // The plane leaves that surface by the square of the way.
+        let height_mm = self.along.height_mm(guess);
+        for _ in 0..MOST_LEVELLINGS {
+            if (self.along.height_mm(&touch.centre) - height_mm).abs() <= ON_LEVEL_MM {
+                break;
+            }
+            touch = across(&self.along.at(height_mm, &touch.centre))?;
+        }
+        ((touch.centre - guess).norm() <= 2.0 * reach_mm).then_some(touch)
     }
 
     /// Moves a guess onto the level set along the gradient of the distance,

@@ -79,6 +79,7 @@ pub use options::PathOptions;
 pub use settings::{CHORDS_MM, PathKeys, PathSettings, SCALLOPS_MM, most_lean_deg};
 
 use crate::artifact::along::Along;
+use crate::artifact::meridian::Meridian;
 use crate::artifact::region::{Boundary, Region};
 use crate::artifact::toolpath::{CutterLocation, Direction, PathKind};
 use crate::artifact::{Blade, Toolpath};
@@ -88,6 +89,10 @@ use crate::geometry::allowance::Allowed;
 use crate::observe::Observer;
 use level::LevelSet;
 use rim::Rim;
+
+/// A ball in the corner between blade and hub is on the hub; what else ends turns is lower by this
+/// share of its radius.
+const OFF_HUB: f64 = 0.1;
 
 /// Lays the helix.
 ///
@@ -107,6 +112,8 @@ pub fn plan(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
 
 /// Lays the helix from the start height down to the end.
 fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
+    let over_hub = ends_on_hub(blade, options)?;
+    let options = over_hub.as_ref().unwrap_or(options);
     let rim = Rim::of(blade, region(blade, options)?, options);
     let lowest_mm = bounds::lowest_mm(&options.extent.ends);
     let level = LevelSet { rim: rim.as_ref(), lowest_mm, ..plain_level(blade, options)? };
@@ -122,20 +129,51 @@ fn downwards(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> R
     }
 }
 
+/// Over a hub that turns the path ends at the latest where a ball is on the hub: where blades end
+/// flush with the rim, nothing else keeps turns from going on down there. `None` where nothing is
+/// to be added.
+fn ends_on_hub(blade: &Blade, options: &PathOptions) -> Result<Option<PathOptions>> {
+    if region(blade, options)?.along.round().is_none() {
+        return Ok(None);
+    }
+    let mut out = options.clone();
+    let on_hub_mm = (1.0 - OFF_HUB) * options.radius_mm + options.settings.stock_mm;
+    out.extent.ends.push(Boundary::Height(on_hub_mm));
+    Ok(Some(out))
+}
+
 /// Lays rows over the hub.
 fn hub_rows(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Result<Toolpath> {
     let Some(wheel) = &options.hub_of else {
         return Err(Error::usage(Stage::Path, "path.kind is hub-rows, but the blade belongs to no wheel")
             .advise("give section wheel in the job"));
     };
+    if blade.regions.over_hub().is_some() {
+        let message =
+            "path.kind is hub-rows, but the hub turns from along the rotor axis to across it: rows run along that axis";
+        return Err(
+            Error::usage(Stage::Path, message).advise("leave path.kind out: turns round the blade end on the hub")
+        );
+    }
     hub::plan(blade, &plain_level(blade, options)?, wheel, options, observer)
 }
 
 /// The level set of a region, without what ends turns.
 fn plain_level<'a>(blade: &'a Blade, options: &PathOptions) -> Result<LevelSet<'a>> {
+    let own = region(blade, options)?.along;
+    let along = own.for_ball(options.radius_mm + options.settings.stock_mm).ok_or_else(|| {
+        let tip_mm = own.round().map_or(0.0, Meridian::tip_mm);
+        let radius_mm = options.radius_mm;
+        Error::infeasible(
+            Stage::Path,
+            format!("a ball of {radius_mm} mm has no room between the hub and the tips of the blades, {tip_mm:.3} mm above it"),
+            Infeasible::AirfoilTooLow { height_mm: tip_mm, least_mm: radius_mm },
+        )
+        .advise("take a smaller ball")
+    })?;
     Ok(LevelSet {
         part: Allowed::new(&blade.part, options.settings.stock_mm),
-        along: region(blade, options)?.along,
+        along,
         radius_mm: options.radius_mm,
         inclined: options.inclined,
         rim: None,
@@ -221,6 +259,10 @@ fn least_and_greatest(heights: impl Iterator<Item = f64>) -> [f64; 2] {
 fn span_mm(blade: &Blade, region: &Region) -> [f64; 2] {
     if region.along == Along::BLADE {
         return blade.regions.part_x_mm;
+    }
+    // Far from the blade heights over a hub that turns mean nothing.
+    if let Some(meridian) = region.along.round() {
+        return [0.0, meridian.tip_mm()];
     }
     least_and_greatest(blade.part.mesh.points.iter().map(|p| region.along.height_mm(p)))
 }
@@ -320,9 +362,10 @@ fn spot(blade: &Blade, p: &Point) -> Spot {
 
 /// What ends turns at a ball centre, blade frame.
 fn surface_end(blade: &Blade, by: Stopped, p: &Point, options: &PathOptions) -> SurfaceEnd {
+    let along = region(blade, options).map_or(Along::BLADE, |region| region.along);
     SurfaceEnd {
         by,
-        height_mm: p.x,
+        height_mm: along.height_mm(p),
         at: spot(blade, p),
         radius_mm: options.radius_mm,
         max_lean_deg: options.settings.max_lean_deg,

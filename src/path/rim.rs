@@ -11,7 +11,7 @@ use std::collections::HashSet;
 use super::options::PathOptions;
 use super::span_mm;
 use crate::artifact::Blade;
-use crate::artifact::along::Along;
+use crate::artifact::along::Upright;
 use crate::artifact::region::{Boundary, Region};
 use crate::geometry::mesh::edge_uses;
 use crate::geometry::{Point, Vector};
@@ -65,9 +65,10 @@ impl Rim {
             let normals: Vec<Vector> = group.iter().map(|u| mesh.normal(u.triangle as usize)).collect();
             let ends = match &normals[..] {
                 [wall] => {
-                    region.along.lean(wall).abs() < WALL && (heights[0] - heights[1]).abs() < WALL * (p - q).norm()
+                    region.along.frame(&p).lean(wall).abs() < WALL
+                        && (heights[0] - heights[1]).abs() < WALL * (p - q).norm()
                 }
-                all => all.iter().any(|wall| all.iter().any(|cap| ends_at(&region.along, wall, cap))),
+                all => all.iter().any(|wall| all.iter().any(|cap| ends_at(&region.along.frame(&p), wall, cap))),
             };
             if ends {
                 rim.add(&p, &q);
@@ -100,8 +101,8 @@ impl Rim {
 }
 
 /// Whether a wall ends at a cap in a sharp edge.
-fn ends_at(along: &Along, wall: &Vector, cap: &Vector) -> bool {
-    let [of_wall, of_cap] = [wall, cap].map(|normal| along.lean(normal));
+fn ends_at(at: &Upright, wall: &Vector, cap: &Vector) -> bool {
+    let [of_wall, of_cap] = [wall, cap].map(|normal| at.lean(normal));
     wall.dot(cap) < SHARP && of_wall.abs() < WALL && of_cap < -FACES_ROOT && of_cap < of_wall - MORE
 }
 

@@ -106,8 +106,9 @@ impl Ring {
         let mut found: Vec<usize> = self.concave_entries(least_turn_rad).into_iter().map(|(i, _)| i).collect();
         // Run backwards, a stretch begins where it ends.
         let mirrored = |t: &Touch| {
-            let [a, b] = self.along.across(&t.normal);
-            Touch { normal: self.along.vector(self.along.lean(&t.normal), [a, -b]), ..*t }
+            let frame = self.along.frame(&t.centre);
+            let [a, b] = frame.across(&t.normal);
+            Touch { normal: frame.vector(frame.lean(&t.normal), [a, -b]), ..*t }
         };
         let backwards = Ring::new(self.along, self.touches.iter().rev().map(mirrored).collect());
         found.extend(backwards.concave_entries(least_turn_rad).into_iter().map(|(i, _)| n - 1 - i));
@@ -153,7 +154,7 @@ pub fn wrap(a: f64) -> f64 {
 /// # Errors
 /// [`Broken`], with the place.
 pub fn trace(level: &LevelSet, start: Touch, how: &Tracing) -> Result<Ring, Broken> {
-    let mut touches = vec![start];
+    let (mut touches, x_mm) = (vec![start], level.along.height_mm(&start.centre));
     let mut walked = 0.0;
     let mut step = how.max_step_mm;
     // A curve longer than this many steps of least length is not a blade's section.
@@ -166,7 +167,7 @@ pub fn trace(level: &LevelSet, start: Touch, how: &Tracing) -> Result<Ring, Brok
         if here.cos_lean(&level.along) < how.min_cos_lean {
             return Err(Broken::Leans(here.contact));
         }
-        let next = advance(level, &here, &mut step, how).ok_or(Broken::Lost(here.centre))?;
+        let next = advance(level, x_mm, &here, &mut step, how).ok_or(Broken::Lost(here.centre))?;
         let moved = (next.centre - here.centre).norm();
         walked += moved;
         let tangent = here.tangent(&level.along);
@@ -181,14 +182,17 @@ pub fn trace(level: &LevelSet, start: Touch, how: &Tracing) -> Result<Ring, Brok
     Err(Broken::Open(start.centre))
 }
 
-/// One step along the ring; `step` is the length tried first and, afterwards, the one to try next.
-fn advance(level: &LevelSet, here: &Touch, step: &mut f64, how: &Tracing) -> Option<Touch> {
+/// One step along the ring at height `x_mm`; `step` is the length tried first and, afterwards, the
+/// one to try next.
+fn advance(level: &LevelSet, x_mm: f64, here: &Touch, step: &mut f64, how: &Tracing) -> Option<Touch> {
     let tangent = here.tangent(&level.along);
+    // Over a hub that turns the way leaves the height by the square of a step.
+    let at_height = |q: Point| if level.along.round().is_some() { level.along.at(x_mm, &q) } else { q };
     let mut length = step.clamp(how.min_step_mm, how.max_step_mm);
     loop {
         let last_try = length <= how.min_step_mm;
         let reach = if last_try { 4.0 * length } else { length };
-        let ahead = here.centre + tangent * length;
+        let ahead = at_height(here.centre + tangent * length);
         if let Some(t) = level.touch_in_plane(&ahead, reach) {
             let turn = wrap(t.azimuth(&level.along) - here.azimuth(&level.along)).abs();
             let forward = (t.centre - here.centre).dot(&tangent) > 0.2 * length;

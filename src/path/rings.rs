@@ -154,7 +154,7 @@ fn stopped(blade: &Blade, broken: &Broken, options: &PathOptions) -> SurfaceEnd 
 
 /// The ring at the start height, beginning at its base point.
 pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: f64, how: &Tracing) -> Result<Ring> {
-    let (airfoil, others) = seed::contour(blade, region(blade, options)?, x_mm)?;
+    let contour = seed::Contour::of(blade, region(blade, options)?, level, x_mm)?;
     let none = |by: Stopped, at: Option<Spot>| Infeasible::NoTurnRound {
         height_mm: x_mm,
         radius_mm: level.radius_mm,
@@ -170,7 +170,7 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
         )
         .advise("take a smaller ball, or another region.start_mm")
     };
-    let touch = seed::first_touch(level, &airfoil, x_mm).ok_or_else(|| {
+    let touch = contour.first_touch(level, x_mm).ok_or_else(|| {
         too_tight("other parts of the blade are in the way all round".into(), none(Stopped::OtherParts, None))
     })?;
     let ring = ring::trace(level, touch, how).map_err(|b| {
@@ -185,7 +185,7 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
             Broken::Lost(p) | Broken::Open(p) => too_tight(format!("its path is blocked at {}", place(blade, p)), since),
         }
     })?;
-    if let Some(p) = seed::touches_another_body(&ring, &airfoil, &others) {
+    if let Some(p) = contour.touches_another_body(&ring) {
         return Err(too_tight(
             format!("it touches another body at {}", place(blade, &p)),
             none(Stopped::OtherBody, Some(spot(blade, &p))),
@@ -196,8 +196,8 @@ pub fn first_ring(blade: &Blade, level: &LevelSet, options: &PathOptions, x_mm: 
 }
 
 /// The altered point before the greatest concave stretch, else the touch furthest to the first
-/// direction across (y of a blade); with a point to be `near`, the altered point nearest to it,
-/// else the touch nearest to it.
+/// direction across (y of a blade), over a hub that turns the one nearest to its end; with a point
+/// to be `near`, the altered point nearest to it, else the touch nearest to it.
 fn base_point(ring: &Ring, near: Option<Point>) -> usize {
     if let Some(q) = near {
         let away = |i: &usize| (ring.touches[*i].contact - q).norm();
@@ -205,7 +205,13 @@ fn base_point(ring: &Ring, near: Option<Point>) -> usize {
         let altered = nearest(&mut ring.altered_points(CONCAVE_TURN_RAD).into_iter());
         return altered.or_else(|| nearest(&mut (0..ring.touches.len()))).unwrap_or(0);
     }
-    let side_mm = |i: usize| ring.along.across(&ring.touches[i].centre.coords)[0];
+    let side_mm = |i: usize| {
+        let centre = &ring.touches[i].centre;
+        match ring.along.round() {
+            Some(meridian) => meridian.along(centre),
+            None => ring.along.frame(centre).across(&centre.coords)[0],
+        }
+    };
     let furthest = || (0..ring.touches.len()).max_by(|a, b| side_mm(*a).total_cmp(&side_mm(*b))).unwrap_or(0);
     ring.concave_entries(CONCAVE_TURN_RAD)
         .into_iter()

@@ -224,7 +224,7 @@ fn a_region_along_another_axis_has_the_same_path_turned() {
         [(10.0 + 0.1 * x) * c + 0.05 * x, 6.0 * s * (1.0 + 0.2 * c)]
     });
     let along = Along::of(Vector::new(-0.36, 0.48, 0.8));
-    let turn = |p: &Point| Point::from(along.vector(p.x, [p.y, p.z]));
+    let turn = |p: &Point| Point::from(along.frame(p).vector(p.x, [p.y, p.z]));
     let mut mesh = blade.part.mesh.clone();
     mesh.points.iter_mut().for_each(|p| *p = turn(p));
     let mut other = Blade { part: Part::from_mesh(mesh), ..blade.clone() };

@@ -271,6 +271,93 @@ mod tests {
         assert!(least(5.0, 45.0) && least(-5.0, 45.0));
     }
 
+    /// A blade whose hub turns from along the rotor axis to across it: the turns lie at heights
+    /// over that hub, and every check passes.
+    #[test]
+    fn the_blade_of_an_impeller_is_planned_over_its_hub() {
+        let job = "
+            [model]
+            file = 'impeller.obj'
+            [machine]
+            file = 'trunnion_ac.toml'
+            [region]
+            start_mm = 8
+            end_mm = 5
+            [path]
+            scallop_mm = 0.2
+            [tool]
+            radius_mm = 2
+            taper_deg = 3
+            shank_radius_mm = 4
+            stickout_mm = 80
+            holder = [{ radius_mm = 15, length_mm = 60 }]
+            [verify]
+            surface_samples = 20000
+        ";
+        let mesh = sample::impeller();
+        let mut text = String::new();
+        for p in &mesh.points {
+            text += &format!("v {} {} {}\n", p.x, p.y, p.z);
+        }
+        for [a, b, c] in &mesh.triangles {
+            text += &format!("f {} {} {}\n", a + 1, b + 1, c + 1);
+        }
+        let model = crate::read::model::ModelOptions::default();
+        let blade =
+            crate::read::model::load_bytes(Path::new("impeller.obj"), text.as_bytes(), &model, &Silent).unwrap();
+        let along = blade.regions.list[0].along.for_ball(2.0).unwrap();
+        let machine = include_str!("../../models/machines/trunnion_ac.toml");
+        let draft = job::resolve(job::parse(job, "job").unwrap(), Path::new("")).unwrap();
+        let setup = Setup::of(&draft, blade, Machine::from_toml(machine, "trunnion").unwrap(), &Silent).unwrap();
+        assert_eq!(setup.job.orientation.kind, crate::orient::OrientationKind::FiveAxis);
+        let plan = match crate::plan::plan(&setup, &Silent).unwrap() {
+            Verdict::Passed(plan) => plan.value().clone(),
+            Verdict::Failed(found) => {
+                let failed = found.report().checks.iter().filter(|c| !c.passed);
+                panic!("{:?}", failed.collect::<Vec<_>>())
+            }
+        };
+        // Both sides of the one blade, from its one end to the other.
+        let path = &plan.toolpath;
+        let heights = path.locations.iter().map(|l| along.height_mm(&l.centre));
+        assert!(heights.clone().all(|h| (4.9..8.1).contains(&h)), "{:?}", heights.collect::<Vec<_>>());
+        let ends = path.locations.iter().map(|l| along.round().unwrap().along(&l.contact));
+        let [from, to] = ends.fold([1.0f64, 0.0f64], |[a, b], t| [a.min(t), b.max(t)]);
+        assert!(from < 0.02 && to > 0.98, "{from} {to}");
+        let round = |l: &crate::artifact::toolpath::CutterLocation| along.frame(&l.centre).across(&l.normal)[0];
+        assert!(path.locations.iter().any(|l| round(l) > 0.5) && path.locations.iter().any(|l| round(l) < -0.5));
+        // The end that the job does not ask for is found.
+        let mut short = plan;
+        let last = short.toolpath.turns.len() - 2;
+        short.toolpath.turns.truncate(last);
+        let verdict = setup.verdict(short, &Silent).unwrap();
+        let Verdict::Failed(found) = verdict else { panic!("a shorter path passes") };
+        assert!(found.report().checks.iter().any(|c| c.id == CheckId::JobRegion && !c.passed));
+    }
+
+    /// What such a blade does not let a job ask for is refused.
+    #[test]
+    fn a_cone_over_a_hub_that_turns_is_refused() {
+        let mesh = sample::impeller();
+        let (plates, _) = sample::plates(12, 2.0);
+        let hub = |k: usize| sample::impeller_contour(0, k as f64 / 40.0);
+        let tip = |k: usize| sample::impeller_contour(1, k as f64 / 40.0);
+        let contours = [(0..=40).map(hub).collect::<Vec<_>>(), (0..=40).map(tip).collect()];
+        let meridian =
+            crate::artifact::meridian::Meridian::new(Vector::z(), Point::origin(), &contours[0], &contours[1]).unwrap();
+        let mut blade = Blade { part: Part::from_mesh(mesh), ..plates };
+        blade.regions.list[0].along = crate::artifact::along::Along::over_hub(meridian);
+        let settle = |text: &str| {
+            let job = format!("[model]\nfile = 'impeller.obj'\n{text}");
+            job::resolve(job::parse(&job, "job").unwrap(), Path::new("")).unwrap().settle(&blade).map(|_| ())
+        };
+        let e = settle("[tool]\nradius_mm = 2\n[orientation]\nkind = 'cone'").unwrap_err();
+        assert!(e.message.contains("orientation.kind is cone"), "{e}");
+        let e = settle("").unwrap_err();
+        assert!(e.message.contains("tool.radius_mm is missing"), "{e}");
+        settle("[tool]\nradius_mm = 2").unwrap();
+    }
+
     /// Five axes mill the hub between two plates: every check passes, and one of them tells when
     /// the rows next to a plate are missing.
     #[test]

@@ -31,6 +31,9 @@
 //! by straight lines; a section with a wider one is left out. Both are warnings: whether an opening
 //! matters for the tool is decided elsewhere.
 //!
+//! A blade over a hub that turns from along the rotor axis to across it has no such sections: there
+//! are none then.
+//!
 //! **Fails** with kind `Usage` for heights outside the part or impossible options, and `Infeasible`
 //! where no section at all closes.
 
@@ -77,6 +80,10 @@ impl Default for SectionOptions {
 /// Kind `Usage` for impossible options or a height that misses the part, `Infeasible` for a section
 /// that does not close, `Cancelled`.
 pub fn plan(blade: &Blade, options: &SectionOptions, observer: &dyn Observer) -> Result<Vec<Section>> {
+    // Planes cut no airfoil out of a blade whose hub turns.
+    if blade.regions.over_hub().is_some() {
+        return Ok(Vec::new());
+    }
     let heights = heights(blade, options)?;
     let cut: Vec<SectionCut> = parallel::try_map(&heights, |&x_mm| {
         observer.check(Stage::Section)?;

@@ -17,6 +17,7 @@
 
 use super::height::flat_stepover;
 use super::options::{Asked, VerifyOptions};
+use crate::artifact::along::Along;
 use crate::artifact::report::Check;
 use crate::artifact::toolpath::{CutterLocation, Direction, PathKind, Turn};
 use crate::artifact::{Blade, CheckId, Cone, Plan, Toolpath};
@@ -85,11 +86,17 @@ fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
 }
 
 /// Heights of a turn's ball centres: least, mean, greatest.
-fn heights(locations: &[CutterLocation], turn: &Turn) -> [f64; 3] {
+fn heights(along: &Along, locations: &[CutterLocation], turn: &Turn) -> [f64; 3] {
     let of = locations.get(turn.first..turn.first.saturating_add(turn.count)).unwrap_or_default();
-    let (lo, hi) =
-        of.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), l| (a.min(l.centre.x), b.max(l.centre.x)));
-    [lo, of.iter().map(|l| l.centre.x).sum::<f64>() / of.len() as f64, hi]
+    let all: Vec<f64> = of.iter().map(|l| along.height_mm(&l.centre)).collect();
+    let (lo, hi) = all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+    [lo, all.iter().sum::<f64>() / all.len() as f64, hi]
+}
+
+/// What is high for balls on the region that the path goes round.
+fn along(blade: &Blade, radius_mm: f64) -> Along {
+    let own = blade.regions.list.first().map_or(Along::BLADE, |region| region.along);
+    own.for_ball(radius_mm).unwrap_or(own)
 }
 
 /// The heights that the path covers.
@@ -104,7 +111,9 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
     };
     let climbs = asked.direction == Direction::Climb;
     let (upper, lower) = if climbs { (first, last) } else { (last, first) };
-    let (top, bottom) = (heights(&path.locations, upper), heights(&path.locations, lower));
+    let along = along(blade, asked.radius_mm + asked.stock_mm);
+    let heights = |turn: &Turn| heights(&along, &path.locations, turn);
+    let (top, bottom) = (heights(upper), heights(lower));
     let (r, h) = (asked.radius_mm, options.scallop_mm);
     let stepover = 2.0 * (h * (2.0 * r - h)).max(0.0).sqrt();
     let room = STEPOVERS * stepover;
@@ -133,7 +142,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
                 format!("{says}, the mean of its last turn is {:.3}", bottom[1]),
             ));
         } else if path.end_reason.is_lean() {
-            let leans = leans(&path.locations, lower);
+            let leans = leans(&along, &path.locations, lower);
             let short = if leans >= asked.max_lean_rad - LEAN_RAD { f64::NEG_INFINITY } else { lo - end };
             found.push((short, lower.first, format!("{says}; the wall leans by {:.1}° there", leans.to_degrees())));
         }
@@ -145,7 +154,7 @@ fn region(plan: &Plan, blade: &Blade, asked: &Asked, options: &VerifyOptions) ->
         lower.first,
         format!("plan.json says that it goes from {a:.3} to {b:.3}, its locations from {hi:.3} to {lo:.3}"),
     ));
-    let down = heights(&path.locations, first)[1] - heights(&path.locations, last)[1];
+    let down = heights(first)[1] - heights(last)[1];
     let wrong_way = if climbs { -down } else { down };
     found.push((
         if path.turns.len() > 1 { wrong_way } else { 0.0 },
@@ -218,9 +227,9 @@ fn ends_as_asked(path: &Toolpath) -> bool {
 }
 
 /// Greatest lean of the wall towards the tip along a turn, rad.
-fn leans(locations: &[CutterLocation], turn: &Turn) -> f64 {
+fn leans(along: &Along, locations: &[CutterLocation], turn: &Turn) -> f64 {
     let of = locations.get(turn.first..turn.first.saturating_add(turn.count)).unwrap_or_default();
-    of.iter().map(|l| l.normal.x).fold(-1.0, f64::max).clamp(-1.0, 1.0).asin()
+    of.iter().map(|l| along.frame(&l.centre).lean(&l.normal)).fold(-1.0, f64::max).clamp(-1.0, 1.0).asin()
 }
 
 /// The greatest feed.

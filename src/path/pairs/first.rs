@@ -109,7 +109,7 @@ fn end(sheet: &Sheet, mut has: Touch, mut has_not: Touch) -> Touch {
 fn suction_side(sheet: &Sheet, ring: &Ring, x_mm: f64) -> Vec<Touch> {
     let edges = sheet.sides.at(x_mm).map(|edge| {
         let off = |t: &Touch| {
-            let [y, z] = Along::BLADE.across(&t.contact.coords);
+            let [y, z] = Along::BLADE.frame(&t.contact).across(&t.contact.coords);
             (y - edge[0]).hypot(z - edge[1])
         };
         let n = ring.touches.len();

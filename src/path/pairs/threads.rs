@@ -455,7 +455,7 @@ fn centres(path: &Toolpath) -> Result<CubicSpline> {
 /// it grows along the path.
 fn turned(path: &Toolpath, along: &Along) -> Vec<f64> {
     let azimuth = |l: &CutterLocation| {
-        let [a, b] = along.across(&l.normal);
+        let [a, b] = along.frame(&l.centre).across(&l.normal);
         b.atan2(a)
     };
     let (mut all, mut sum, mut last) = (Vec::with_capacity(path.locations.len()), 0.0, None::<f64>);

@@ -331,7 +331,8 @@ impl ReadPart {
             diagnosis.notes.extend(found.against.iter().chain(&found.doubts).cloned());
             diagnosis.axis_against = found.against.clone();
             let [lo, hi] = found.heights.part_x_mm;
-            if let Some(doubt) = units::slender(hi - lo, found.chord_mm(), unit, source) {
+            let slender = || units::slender(hi - lo, found.chord_mm(), unit, source);
+            if let Some(doubt) = found.round.is_none().then(slender).flatten() {
                 obstacle.get_or_insert_with(|| Error::io(Stage::Model, format!("{}: {doubt}", path.display())));
                 diagnosis.notes.push(doubt);
             }
@@ -385,8 +386,12 @@ fn chosen(bodies: &[Body], number: Option<u32>) -> Result<Option<&Body>> {
 fn on_whole(found: Result<Recognised>, own: Option<&Body>, mesh: &Mesh, bodies: &[Body]) -> Result<Recognised> {
     match found {
         Ok(mut found) => {
-            if own.is_some() {
+            if let Some(own) = own {
                 found.mesh = mesh.clone().moved(&found.model_from_blade.inverse());
+                if let Some(round) = &mut found.round {
+                    round.triangles = round.triangles.iter().map(|t| own.triangles[*t as usize]).collect();
+                    round.triangles.sort_unstable();
+                }
             }
             Ok(found)
         }

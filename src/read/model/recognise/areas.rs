@@ -26,6 +26,15 @@ const WHOLE: f64 = 0.9;
 /// The area of each triangle of a mesh of the part in the blade frame. `whole_faces`: the mesh's
 /// faces are faces of a B-rep.
 pub fn areas(mesh: &Mesh, found: &Recognised, whole_faces: bool) -> Vec<Area> {
+    if let Some(round) = &found.round {
+        // Exact faces may be meshed anew.
+        let is_own = |t: usize| match whole_faces {
+            true => round.faces.binary_search(&mesh.face(t)).is_ok(),
+            false => round.triangles.binary_search(&(t as u32)).is_ok(),
+        };
+        let area = |t| if is_own(t) { Area::Airfoil } else { Area::Other };
+        return (0..mesh.triangles.len()).map(area).collect();
+    }
     let mut out: Vec<Area> = (0..mesh.triangles.len())
         .map(|t| {
             let [a, b, c] = mesh.corners(t);
@@ -146,6 +155,7 @@ mod tests {
             unlike: None,
             outline,
             fillet: Vec::new(),
+            round: None,
         }
     }
 

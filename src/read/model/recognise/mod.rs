@@ -6,7 +6,9 @@
 //! [`crate::artifact::region::Regions`] themselves ([`pieces`]). Every candidate direction is cut
 //! at [`run::HEIGHTS`] heights; the chain of loops that looks most like an airfoil for longest, and
 //! that does not itself point another way, wins ([`search`]). Regions are then sought along the
-//! axis ([`mod@regions`]), and each triangle gets its area ([`mod@areas`]).
+//! axis ([`mod@regions`]), and each triangle gets its area ([`mod@areas`]). Where a wheel has no
+//! such direction, since its hub turns from along the rotor axis to across it, heights over that
+//! hub take the place of an axis ([`impeller`]).
 //!
 //! Guarantees: deterministic; the same part turned by a rotation gives the same regions (up to the
 //! sampling of heights, and up to the preference for datum directions); where the geometry leaves
@@ -15,8 +17,10 @@
 
 pub mod areas;
 pub mod caps;
+pub mod contours;
 pub mod foot;
 pub mod given;
+pub mod impeller;
 pub mod named;
 pub mod one_blade;
 pub mod pieces;
@@ -33,12 +37,16 @@ pub mod wheel;
 
 use super::ModelOptions;
 use super::faces::Stacking;
+use crate::artifact::along::Along;
+use crate::artifact::meridian::Meridian;
+use crate::artifact::region::{Area, of_faces};
 use crate::error::{Error, Result, Stage};
 use crate::geometry::brep::FaceName;
 use crate::geometry::bvh::MeshBvh;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Rigid, Vector};
 use crate::observe::{Remark, direction};
+use impeller::ImpellerBlade;
 use run::Run;
 use wheel::Wheel;
 
@@ -86,6 +94,19 @@ pub struct Recognised {
     /// Upper and lower ends of a fillet at places round the airfoil, blade frame, where its foot
     /// climbs; else empty.
     pub fillet: Vec<[Point; 2]>,
+    /// Heights and surface of a blade whose hub turns; all of the above but frame and mesh are
+    /// along these heights then.
+    pub round: Option<Round>,
+}
+
+/// A blade over a hub that turns.
+pub struct Round {
+    /// Heights, blade frame.
+    pub along: Along,
+    /// Its triangles, by numbers from 0 that rise.
+    pub triangles: Vec<u32>,
+    /// Faces or groups that are its by most of their surface.
+    pub faces: Vec<u32>,
 }
 
 impl Recognised {
@@ -121,6 +142,11 @@ pub fn recognise(mesh: &Mesh, face_names: &[FaceName], options: &ModelOptions, k
     let airfoil = named::faces(&options.airfoil_faces, face_names)?;
     let airfoil = airfoil.as_deref();
     let (mut doubts, mut against) = (Vec::new(), None);
+    if let (Some(w), None) = (wheel, airfoil)
+        && let Some(blade) = impeller::blade(mesh, w, options.axis)
+    {
+        return Ok(over_hub(mesh, blade));
+    }
     let (mut run, reason) = match options.axis {
         Some(a) => {
             let given = match wheel {
@@ -166,7 +192,35 @@ pub fn recognise(mesh: &Mesh, face_names: &[FaceName], options: &ModelOptions, k
     named::apply(&mut heights, &blade_mesh, face_names, options)?;
     let outline = run.links.iter().map(|l| (l.height_mm, l.shape.bounds)).collect();
     let fillet = foot.map_or_else(Vec::new, |f| f.ends);
-    Ok(Recognised { model_from_blade, mesh: blade_mesh, heights, doubts, against, unlike, outline, fillet })
+    let (mesh, round) = (blade_mesh, None);
+    Ok(Recognised { model_from_blade, mesh, heights, doubts, against, unlike, outline, fillet, round })
+}
+
+/// What was recognised on a wheel whose hub turns.
+fn over_hub(mesh: &Mesh, blade: ImpellerBlade) -> Recognised {
+    let ImpellerBlade { model_from_blade, along, triangles, reasons } = blade;
+    let tip_mm = along.round().map_or(0.0, Meridian::tip_mm);
+    let mut areas = vec![Area::Other; mesh.triangles.len()];
+    triangles.iter().for_each(|t| areas[*t as usize] = Area::Airfoil);
+    let faces = of_faces(mesh, &areas).into_iter().filter(|(_, area)| *area == Area::Airfoil).map(|(f, _)| f).collect();
+    let heights = Heights {
+        part_x_mm: [0.0, tip_mm],
+        airfoil_x_mm: [0.0, tip_mm],
+        platform_x_mm: Some(0.0),
+        fillet_x_mm: None,
+        reasons,
+    };
+    Recognised {
+        model_from_blade,
+        mesh: mesh.clone().moved(&model_from_blade.inverse()),
+        heights,
+        doubts: Vec::new(),
+        against: None,
+        unlike: None,
+        outline: Vec::new(),
+        fillet: Vec::new(),
+        round: Some(Round { along, triangles, faces }),
+    }
 }
 
 fn no_blade() -> Error {

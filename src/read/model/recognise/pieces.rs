@@ -23,7 +23,10 @@ pub fn pieces(part: &Part, found: &Recognised) -> Regions {
         })
         .filter(|r| r.area == Area::Airfoil || r.start.is_some() || !r.patch.is_empty())
         .collect();
-    list[0].sides = sides(part, h.airfoil_x_mm, &found.outline);
+    match &found.round {
+        Some(round) => list.iter_mut().for_each(|r| r.along = round.along),
+        None => list[0].sides = sides(part, h.airfoil_x_mm, &found.outline),
+    }
     Regions { part_x_mm: h.part_x_mm, list, reasons: h.reasons.clone() }
 }
 
