@@ -37,9 +37,9 @@ impl Upright {
 /// revolution that lie like nested hubs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Along {
-    /// The frame of the axis; that of the middle of such a blade.
+    /// The frame of the axis.
     straight: Upright,
-    /// Heights of a blade whose hub turns.
+    /// Heights of a blade whose hub turns, which take the place of that axis.
     round: Option<Meridian>,
 }
 
@@ -78,7 +78,7 @@ impl Along {
 
     /// The frame at a place.
     pub fn frame(&self, p: &Point) -> Upright {
-        self.round.as_ref().map_or(self.straight, |m| Upright(m.directions(p).0))
+        self.round.as_ref().map_or(self.straight, |m| Upright(m.directions(p)))
     }
 
     /// Height of a point, mm.

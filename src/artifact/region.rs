@@ -78,6 +78,18 @@ pub enum Patch {
 }
 
 impl Patch {
+    /// Some triangles of a mesh, by numbers from 0 that rise; of exact faces those that they are
+    /// most of.
+    pub fn most_of(mesh: &Mesh, triangles: Vec<u32>, is_exact: bool) -> Patch {
+        if !is_exact {
+            return Patch::Facets(triangles);
+        }
+        let mut areas = vec![Area::Other; mesh.triangles.len()];
+        triangles.iter().for_each(|t| areas[*t as usize] = Area::Airfoil);
+        let own = of_faces(mesh, &areas).into_iter().filter(|(_, area)| *area == Area::Airfoil);
+        Patch::Faces(own.map(|(face, _)| face).collect())
+    }
+
     /// Whether nothing is known to lie on it.
     pub fn is_empty(&self) -> bool {
         let (Patch::Faces(numbers) | Patch::Facets(numbers)) = self;

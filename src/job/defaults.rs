@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::resolved::Job;
 use super::sections::{
-    FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings, ToolKeys,
+    FixtureKeys, FixtureSettings, ModelSettings, RegionKeys, RegionReference, RegionSettings, ToolKeys, WheelKeys,
 };
 use super::tool::{self, Chosen};
 use super::typed::JobFile;
@@ -94,6 +94,10 @@ fn early_checks(typed: &JobFile) -> Result<()> {
 }
 
 impl Draft {
+    /// Section wheel as typed.
+    pub(super) fn typed_wheel(&self) -> Option<WheelKeys> {
+        self.typed.wheel.clone()
+    }
     /// How to read the model.
     pub fn model(&self) -> &ModelSettings {
         &self.model
@@ -236,6 +240,9 @@ fn orientation(keys: Option<OrientationKeys>, blade: &Blade) -> Result<Orientati
     Ok(settings)
 }
 
+/// Chords over exact faces of an impeller's blade keep to the path within this, mm.
+const EXACT_CHORD_MM: f64 = 0.001;
+
 /// How far a cutter with a corner leans from the surface normal, degrees: so little leaves wide
 /// strips, and so much keeps the back of its bottom clear of walls that are hardly hollow.
 const LEANS_DEG: [f64; 2] = [3.0, 12.0];
@@ -259,7 +266,10 @@ fn path_settings(keys: Option<PathKeys>, blade: &Blade, region: &RegionSettings,
         ..usual
     };
     let path = path.with_typed(keys);
-    let chord_mm = typed_chord_mm.unwrap_or_else(|| default_chord_mm(path.kind, path.scallop_mm));
+    let usual_mm = default_chord_mm(path.kind, path.scallop_mm);
+    // In five axes the exact part is kept to a micrometre.
+    let is_exact = blade.part.brep.is_some() && blade.regions.over_hub().is_some();
+    let chord_mm = typed_chord_mm.unwrap_or(if is_exact { usual_mm.min(EXACT_CHORD_MM) } else { usual_mm });
     PathSettings { chord_mm, ..path }
 }
 

@@ -98,6 +98,11 @@ section! {
         /// radius there, mm; default: none but what the model has.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         hub_mm: Vec<[f64; 2]> = Vec::new();
+        /// Contour of the blades' tips in the same coordinates, from their one edge to the other,
+        /// in the order of `hub_mm`: for the blade of an impeller, whose heights lead from its hub
+        /// to its tip; default: none, heights are along the blade axis, or the model's.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        tip_mm: Vec<[f64; 2]> = Vec::new();
     }
 }
 
@@ -129,11 +134,16 @@ impl WheelSettings {
         if !finite(&self.origin_mm) {
             return bad(format!("wheel.origin_mm is {:?}, three numbers of at most 1e6 mm are wanted", self.origin_mm));
         }
-        if let Some(p) = self.hub_mm.iter().find(|p| !(finite(&p[..]) && p[1] >= 0.0)) {
-            return bad(format!("wheel.hub_mm has {p:?}, a place and a radius of at least 0 are wanted, in mm"));
+        for (key, contour) in [("hub_mm", &self.hub_mm), ("tip_mm", &self.tip_mm)] {
+            if let Some(p) = contour.iter().find(|p| !(finite(&p[..]) && p[1] >= 0.0)) {
+                return bad(format!("wheel.{key} has {p:?}, a place and a radius of at least 0 are wanted, in mm"));
+            }
         }
         if self.hub_mm.len() == 1 || self.hub_mm.windows(2).any(|w| w[1][0] <= w[0][0]) {
             return bad("wheel.hub_mm must have two places or more, rising along the rotor axis".into());
+        }
+        if !self.tip_mm.is_empty() && (self.tip_mm.len() == 1 || self.hub_mm.is_empty()) {
+            return bad("wheel.tip_mm must have two places or more, and wheel.hub_mm is wanted beside it".into());
         }
         Ok(())
     }

@@ -1,10 +1,17 @@
 //! `[wheel]` beside the wheel that the model shows.
 
+use super::defaults::Draft;
 use super::sections::{WheelKeys, WheelSettings};
+use crate::artifact::Blade;
+use crate::artifact::along::Along;
+use crate::artifact::meridian::Meridian;
+use crate::artifact::region::{Area, Boundary, Patch, Region, Regions};
 use crate::artifact::wheel::ModelWheel;
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::{Point, Vector};
 
+/// A facet is of the blade where its normal has this part round the rotor axis (sine).
+const FACES_ROUND: f64 = 0.1;
 /// An axis that was given is the model's where it is nearer than this, degrees …
 const ALIKE_DEG: f64 = 0.1;
 /// … and this, mm.
@@ -22,9 +29,12 @@ pub(super) fn settled(keys: Option<WheelKeys>, found: Option<&ModelWheel>) -> Re
         (keys, None) => return Ok(Some(WheelSettings::default().with_typed(keys))),
         (Some(keys), Some(found)) => (keys, found),
     };
-    if found.whole && keys.hub_mm.as_ref().is_some_and(|h| !h.is_empty()) {
-        let message = "wheel.hub_mm is given, but the model is a whole wheel: it has its hub";
-        return Err(Error::usage(Stage::Job, message).advise("leave wheel.hub_mm out"));
+    let given = |contour: &Option<Vec<[f64; 2]>>| contour.as_ref().is_some_and(|c| !c.is_empty());
+    for (key, contour) in [("hub_mm", &keys.hub_mm), ("tip_mm", &keys.tip_mm)] {
+        if found.whole && given(contour) {
+            let message = format!("wheel.{key} is given, but the model is a whole wheel: it has its hub");
+            return Err(Error::usage(Stage::Job, message).advise(format!("leave wheel.{key} out")));
+        }
     }
     let of_model = WheelSettings {
         blades: found.blades,
@@ -59,6 +69,71 @@ pub(super) fn settled(keys: Option<WheelKeys>, found: Option<&ModelWheel>) -> Re
     Ok(Some(asked))
 }
 
+impl Draft {
+    /// The blade with its heights over the hub, where section wheel has the contours of hub and
+    /// tips; else as it is. The contour of the hub counts as far as it lies across from that of the
+    /// tips.
+    ///
+    /// # Errors
+    /// `Usage`: values out of their limits, contours between which lines cross.
+    pub fn over_hub(&self, blade: Blade) -> Result<Blade> {
+        let Some(settings) = settled(self.typed_wheel(), blade.wheel.as_ref())? else { return Ok(blade) };
+        if settings.tip_mm.is_empty() {
+            return Ok(blade);
+        }
+        settings.validate()?;
+        let blade_from_model = blade.model_from_blade.inverse();
+        let axis = (blade_from_model * Vector::from(settings.axis)).normalize();
+        let origin = blade_from_model * Point::from(settings.origin_mm);
+        let hub = between(&settings.hub_mm, &settings.tip_mm);
+        let meridian = Meridian::new(axis, origin, &hub, &settings.tip_mm).ok_or_else(|| {
+            let message =
+                "wheel.hub_mm and wheel.tip_mm are no contours of one blade: lines from the one to the other cross";
+            Error::usage(Stage::Job, message).advise(
+                "give both in the same order along the rotor axis, that of the tips from edge to edge of the blade",
+            )
+        })?;
+        let (mesh, is_exact) = (&blade.part.mesh, blade.part.brep.is_some());
+        let faces_round = |t: usize| {
+            let [a, b, c] = mesh.corners(t);
+            let round = axis.cross(&meridian.out(&Point::from((a.coords + b.coords + c.coords) / 3.0)));
+            mesh.normal(t).dot(&round).abs() > FACES_ROUND
+        };
+        let airfoil: Vec<u32> = (0..mesh.triangles.len() as u32).filter(|t| faces_round(*t as usize)).collect();
+        let patch = Patch::most_of(mesh, airfoil, is_exact);
+        let [foot, tip] = [0.0, meridian.tip_mm()].map(|x| Some(Boundary::Height(x)));
+        let along = Along::over_hub(meridian);
+        let airfoil = Region { patch, along, ..Region::between(Area::Airfoil, tip, foot) };
+        let reasons = vec!["heights: from wheel.hub_mm, 0, to wheel.tip_mm, as given".to_owned()];
+        let regions = Regions { part_x_mm: [0.0, meridian.tip_mm()], list: vec![airfoil], reasons };
+        Ok(Blade { regions, ..blade })
+    }
+}
+
+/// The part of a contour between the places nearest to the ends of another one.
+fn between(contour: &[[f64; 2]], ends: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let at = |k: usize, share: f64| -> [f64; 2] {
+        std::array::from_fn(|i| contour[k][i] + (contour[k + 1][i] - contour[k][i]) * share)
+    };
+    let nearest = |q: &[f64; 2]| {
+        let places = (0..contour.len().saturating_sub(1)).map(|k| {
+            let [a, b] = [contour[k], contour[k + 1]];
+            let (u, v) = ([b[0] - a[0], b[1] - a[1]], [q[0] - a[0], q[1] - a[1]]);
+            let share = ((u[0] * v[0] + u[1] * v[1]) / (u[0] * u[0] + u[1] * u[1])).clamp(0.0, 1.0);
+            let p = at(k, share);
+            ((p[0] - q[0]).hypot(p[1] - q[1]), k, share)
+        });
+        places.min_by(|a, b| a.0.total_cmp(&b.0)).map_or((0, 0.0), |(_, k, share)| (k, share))
+    };
+    let (Some(first), Some(last)) = (ends.first(), ends.last()) else { return Vec::new() };
+    let (from, to) = (nearest(first), nearest(last));
+    if contour.len() < 2 || from.0 > to.0 {
+        return Vec::new();
+    }
+    let amid = contour[from.0 + 1..=to.0].iter().copied();
+    std::iter::once(at(from.0, from.1)).chain(amid).chain([at(to.0, to.1)]).collect()
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
@@ -80,6 +155,16 @@ mod tests {
         assert_eq!((along.axis, along.origin_mm, along.blades), ([0.0, -2.0, 0.0], [3.0, 50.0, -2.05], 6));
         let lone = WheelKeys { blades: Some(7), axis: Some([1.0, 0.0, 0.0]), ..WheelKeys::default() };
         assert_eq!(settled(Some(lone), None).unwrap().unwrap().blades, 7);
+    }
+
+    #[test]
+    fn a_contour_counts_between_the_ends_of_the_other() {
+        let hub = [[0.0, 10.0], [10.0, 10.0], [20.0, 14.0], [30.0, 30.0]];
+        assert_eq!(between(&hub, &[[4.0, 30.0], [9.0, 40.0]]), [[4.0, 10.0], [9.0, 10.0]]);
+        let over = between(&hub, &[[-5.0, 20.0], [12.0, 22.0], [29.0, 40.0]]);
+        assert_eq!(over, hub);
+        assert!(between(&hub, &[]).is_empty() && between(&hub[..1], &hub).is_empty());
+        assert!(between(&hub, &[[29.0, 40.0], [-5.0, 20.0]]).is_empty(), "the other way round");
     }
 
     #[test]

@@ -102,6 +102,7 @@ impl Setup {
     /// # Errors
     /// Those of the job.
     pub fn of(draft: &Draft, blade: Blade, machine: Machine, observer: &dyn Observer) -> Result<Setup> {
+        let blade = draft.over_hub(blade)?;
         let (job, tool) = draft.on_machine(&machine)?.settle(&blade).map_err(|e| doubts::blamed_on_axis(e, &blade))?;
         for doubt in &tool.warnings {
             observer.warn(Warning { stage: Stage::Job, doubt: doubt.clone() });

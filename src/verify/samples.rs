@@ -3,6 +3,7 @@
 use super::sweep::Sweep;
 use crate::geometry::allowance::Allowed;
 use crate::geometry::measured::Closest;
+use crate::geometry::mesh::topology;
 use crate::geometry::part::Part;
 use crate::geometry::triangle::area_mm2;
 use crate::geometry::{Point, Vector};
@@ -26,6 +27,10 @@ pub(super) struct Samples {
     /// Area that each of them stands for, mm².
     pub area_mm2: f64,
 }
+
+/// A sample is hidden where a place so far over it is inside the part, besides what the mesh is off,
+/// mm.
+const HIDDEN_MM: f64 = 1e-3;
 
 /// A piece of a mesh triangle.
 #[derive(Clone, Copy)]
@@ -86,10 +91,24 @@ pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usi
             next += spacing;
         }
     }
-    let by_facets = part.brep.is_none();
-    let sample = |(t, p)| on_surface(part, t, p).filter(|s| sweep.is_for(&s.point, &s.normal, by_facets));
+    let (by_facets, may_hide) = (part.brep.is_none(), has_several_bodies(part));
+    let counts = |s: &Sample| sweep.is_for(&s.point, &s.normal, by_facets) && !(may_hide && is_hidden(part, s));
+    let sample = |(t, p)| on_surface(part, t, p).filter(counts);
     let points = parallel::filter_map(raw, sample);
     Samples { points, area_mm2: spacing }
+}
+
+/// Whether the part is several closed bodies, which may reach into one another: blades that were
+/// drawn into their hub, say, and never joined with it.
+fn has_several_bodies(part: &Part) -> bool {
+    let found = topology(&part.mesh);
+    found.components > 1 && found.closed()
+}
+
+/// Whether a sample lies within another body, or on one: nothing is left standing there.
+fn is_hidden(part: &Allowed, sample: &Sample) -> bool {
+    let over = sample.point + sample.normal * (HIDDEN_MM + 2.0 * part.deflection_mm);
+    part.bvh.winding(&part.mesh, &over).is_some_and(|times| times > 0)
 }
 
 /// The pieces of a triangle that lie near the path, none much larger than `reach_mm`.
@@ -117,4 +136,34 @@ fn on_surface(part: &Allowed, triangle: usize, p: Point) -> Option<Sample> {
     let face: &Part = part;
     let exact = face.closest(&p, 4.0 * part.deflection_mm + 1e-6)?;
     Some(Sample { point: exact.point + exact.normal * part.stock_mm, normal: exact.normal, on_face: Some(exact) })
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::sample::{impeller, impeller_contour};
+
+    /// Blades that reach into their hub hide what of it is under them, and their own roots.
+    #[test]
+    fn surface_within_another_body_is_hidden() {
+        let part = Part::from_mesh(impeller());
+        assert!(has_several_bodies(&part));
+        let part = Allowed::new(&part, 0.0);
+        // Amid the length of a blade, at an angle from it, so far off the hub; facing round or out.
+        let hidden = |angle: f64, share: f64, faces_out: bool| {
+            let [foot, head] = [0, 1].map(|which| impeller_contour(which, 0.5));
+            let [z, r] = [0, 1].map(|k| foot[k] + (head[k] - foot[k]) * share);
+            let (s, c) = (0.5 + angle).sin_cos();
+            let out = Vector::new(c * (head[1] - foot[1]), s * (head[1] - foot[1]), head[0] - foot[0]).normalize();
+            let round = Vector::new(-s, c, 0.0);
+            let normal = if faces_out { out } else { round };
+            is_hidden(&part, &Sample { point: Point::new(r * c, r * s, z), normal, on_face: None })
+        };
+        let half = 1.0 / impeller_contour(0, 0.5)[1];
+        assert!(hidden(0.0, 0.01, true) && hidden(0.5 * half, 0.01, true), "hub under the blade");
+        assert!(!hidden(6.0 * half, 0.01, true), "hub between two blades");
+        assert!(hidden(1.1 * half, -0.02, false), "root in the hub");
+        assert!(!hidden(1.1 * half, 0.3, false), "side of the blade");
+    }
 }

@@ -165,11 +165,14 @@ impl HalfPlanes {
         let count = (to + n - from) % n;
         let mut outer: Vec<Place> = (0..=count).map(|k| border[(from + k) % n].at).collect();
         outer.reverse();
+        if hub.len() < FEWEST || outer.len() < FEWEST {
+            return None;
+        }
         let (whole, window) = (length(&outer), length(&hub) * ENTRY);
         let entry = corner(&outer, &hub, window, whole)?;
         let reversed = |of: &[Place]| of.iter().rev().copied().collect::<Vec<_>>();
         let exit = outer.len() - 1 - corner(&reversed(&outer), &reversed(&hub), window, whole)?;
-        if entry + FEWEST > exit || hub.len() < FEWEST {
+        if entry + FEWEST > exit {
             return None;
         }
         let (mut hub, mut tip) = (hub, outer[entry..=exit].to_vec());

@@ -39,7 +39,7 @@ use super::ModelOptions;
 use super::faces::Stacking;
 use crate::artifact::along::Along;
 use crate::artifact::meridian::Meridian;
-use crate::artifact::region::{Area, of_faces};
+use crate::artifact::region::Patch;
 use crate::error::{Error, Result, Stage};
 use crate::geometry::brep::FaceName;
 use crate::geometry::bvh::MeshBvh;
@@ -200,9 +200,10 @@ pub fn recognise(mesh: &Mesh, face_names: &[FaceName], options: &ModelOptions, k
 fn over_hub(mesh: &Mesh, blade: ImpellerBlade) -> Recognised {
     let ImpellerBlade { model_from_blade, along, triangles, reasons } = blade;
     let tip_mm = along.round().map_or(0.0, Meridian::tip_mm);
-    let mut areas = vec![Area::Other; mesh.triangles.len()];
-    triangles.iter().for_each(|t| areas[*t as usize] = Area::Airfoil);
-    let faces = of_faces(mesh, &areas).into_iter().filter(|(_, area)| *area == Area::Airfoil).map(|(f, _)| f).collect();
+    let faces = match Patch::most_of(mesh, triangles.clone(), true) {
+        Patch::Faces(faces) => faces,
+        Patch::Facets(_) => Vec::new(),
+    };
     let heights = Heights {
         part_x_mm: [0.0, tip_mm],
         airfoil_x_mm: [0.0, tip_mm],
