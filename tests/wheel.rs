@@ -316,6 +316,7 @@ fn what_cannot_be_is_refused_with_its_place() {
         ("wheel.axis=[0, 0, 0]", "wheel.axis is missing or no direction"),
         ("wheel.blades=1", "wheel.blades is 1"),
         ("wheel.hub_mm=[[0, 40]]", "two places or more"),
+        ("wheel.tip_mm=[[0, 40], [1, 50]]", "wheel.hub_mm is wanted beside it"),
         ("wheel.hub_mm=[[0, 40], [1, -3]]", "a radius of at least 0"),
         ("feed.smooth=true", "feed.smooth is for one cone"),
         ("channel.sweep_b=true", "channel.sweep_b is for one cone"),

@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn a_contour_counts_between_the_ends_of_the_other() {
         let hub = [[0.0, 10.0], [10.0, 10.0], [20.0, 14.0], [30.0, 30.0]];
-        assert_eq!(between(&hub, &[[4.0, 30.0], [9.0, 40.0]]), [[4.0, 10.0], [9.0, 10.0]]);
+        assert_eq!(between(&hub, &[[4.0, 15.0], [9.0, 11.0]]), [[4.0, 10.0], [9.0, 10.0]]);
         let over = between(&hub, &[[-5.0, 20.0], [12.0, 22.0], [29.0, 40.0]]);
         assert_eq!(over, hub);
         assert!(between(&hub, &[]).is_empty() && between(&hub[..1], &hub).is_empty());

@@ -28,8 +28,8 @@ pub(super) struct Samples {
     pub area_mm2: f64,
 }
 
-/// A sample is hidden where a place so far over it is inside the part, besides what the mesh is off,
-/// mm.
+/// A sample is hidden where a place so far over it is inside the part, mm, besides what the mesh is
+/// off.
 const HIDDEN_MM: f64 = 1e-3;
 
 /// A piece of a mesh triangle.
@@ -147,7 +147,9 @@ mod tests {
     /// Blades that reach into their hub hide what of it is under them, and their own roots.
     #[test]
     fn surface_within_another_body_is_hidden() {
-        let part = Part::from_mesh(impeller());
+        let mut mesh = crate::geometry::mesh::weld(&impeller(), 1e-6);
+        crate::geometry::boundary::close(&mut mesh, f64::INFINITY, 1);
+        let part = Part::from_mesh(mesh);
         assert!(has_several_bodies(&part));
         let part = Allowed::new(&part, 0.0);
         // Amid the length of a blade, at an angle from it, so far off the hub; facing round or out.
