@@ -6,6 +6,7 @@
 //! faces round the axis, which the hub and turned tips do not.
 
 use super::contours::{HalfPlanes, Place};
+use super::one_blade::datum;
 use super::wheel::Wheel;
 use super::words;
 use crate::artifact::along::Along;
@@ -99,12 +100,6 @@ fn turning_deg(contour: &[Place]) -> f64 {
     let part = ((END * n as f64) as usize).clamp(1, n - 1);
     let way = |a: Place, b: Place| Vector::new(b[0] - a[0], b[1] - a[1], 0.0);
     way(contour[0], contour[part]).angle(&way(contour[n - 1 - part], contour[n - 1])).to_degrees()
-}
-
-/// The coordinate axis farthest from the rotor axis; of equals the last.
-fn datum(wheel: &Wheel) -> Vector {
-    let far = |k: &usize| wheel.axis[*k].abs();
-    Vector::ith((0..3).rev().min_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(2), 1.0)
 }
 
 /// The wheel's surface as far as it stands round the rotor axis.

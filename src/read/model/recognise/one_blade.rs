@@ -123,7 +123,7 @@ fn about(wheel: &Wheel, angle_rad: f64) -> UnitQuaternion<f64> {
 
 /// The direction that is tried first: the coordinate axis farthest from the rotor axis, made square
 /// to it; of equals the last.
-fn datum(wheel: &Wheel) -> Vector {
+pub(super) fn datum(wheel: &Wheel) -> Vector {
     let far = |k: &usize| wheel.axis[*k].abs();
     let k = (0..3).rev().min_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(2);
     let e = Vector::ith(k, 1.0);
