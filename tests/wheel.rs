@@ -219,7 +219,11 @@ fn with_travel_of_a([least, most]: [i32; 2]) -> Machine {
 /// A cube about a point.
 fn block(at: &Point, half_mm: f64) -> Mesh {
     let sign = |k: usize, bit: usize| if k >> bit & 1 == 1 { half_mm } else { -half_mm };
-    let points = (0..8).map(|k| at + Vector::new(sign(k, 0), sign(k, 1), sign(k, 2))).collect();
+    boxed((0..8).map(|k| at + Vector::new(sign(k, 0), sign(k, 1), sign(k, 2))).collect())
+}
+
+/// The box with these corners, whose numbers say in binary on which side each is.
+fn boxed(points: Vec<Point>) -> Mesh {
     let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let triangles = quads.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
     Mesh { points, triangles, ..Mesh::default() }
@@ -301,6 +305,66 @@ fn a_plan_that_knows_no_neighbours_fails_among_them() {
     };
     let failed: Vec<CheckId> = rejected.report().checks.iter().filter(|c| !c.passed).map(|c| c.id.clone()).collect();
     assert!(failed.iter().any(|id| [CheckId::ObstacleClearance, CheckId::ObstacleGouge].contains(id)), "{failed:?}");
+}
+
+/// A plate stands square to the rotor axis over the middle of the blade, and on one side hangs down
+/// beside it: the tool leans to the one side of it or to the other. It leaves the blade under the
+/// plate and comes back on its other side.
+#[test]
+fn where_no_axis_leads_on_the_tool_leaves_the_blade_and_comes_back() {
+    let links = |on: bool| {
+        let key = format!("orientation.links={on}");
+        let changes = [key.as_str(), "region.start_mm=40", "region.end_mm=39"];
+        let wide = |text: String| {
+            let text = text.replace("swing_diameter_mm = ", "swing_diameter_mm = 1");
+            text.replace("400.0", "900.0").replace("min_mm = 100.0", "min_mm = -500.0").replace("750.0", "900.0")
+        };
+        let mut setup = setup(&changes, of_prism::machine("trunnion_ac.toml", wide)).expect("a setup");
+        let axial = setup.wheel.expect("a wheel").axis.into_inner();
+        let beside = Vector::x().cross(&axial);
+        let box_of = |[from, to]: [f64; 2], height: [f64; 2]| {
+            let corner = |k: usize| {
+                let pick = |bit: usize, [a, b]: [f64; 2]| if k >> bit & 1 == 0 { a } else { b };
+                let way = Vector::x() * pick(2, height) + beside * pick(1, [from, to]) + axial * pick(0, [-0.5, 0.5]);
+                Point::from(way)
+            };
+            boxed((0..8).map(corner).collect())
+        };
+        let plate = |name: &str, mesh: Mesh| Obstacle {
+            name: name.into(),
+            part: Part::from_mesh(mesh),
+            clearance_mm: 0.1,
+            holder_clearance_mm: 0.1,
+            cut_by_the_tool: false,
+            of_the_wheel: false,
+            copies: Vec::new(),
+        };
+        setup.obstacles.push(plate("plate", box_of([-80.0, 80.0], [64.0, 100.0])));
+        setup.obstacles.push(plate("flap", box_of([12.0, 80.0], [46.0, 64.0])));
+        setup
+    };
+    let with = links(true);
+    let (path, told) = match plan::plan(&with, &Silent) {
+        Ok(Verdict::Passed(plan)) => (plan.value().toolpath.clone(), plan.report().clone()),
+        Ok(Verdict::Failed(found)) => {
+            panic!("{:?}", found.report().checks.iter().filter(|c| !c.passed).collect::<Vec<_>>())
+        }
+        Err(e) => panic!("{e}"),
+    };
+    let in_air = |w: &[bool; 2]| w[0] && !w[1];
+    let touches: Vec<bool> = path.locations.iter().map(|l| l.touches()).collect();
+    let links_of = touches.windows(2).filter(|w| in_air(&[w[0], w[1]])).count();
+    assert!(links_of >= 2, "{links_of} links on {} turns", path.turns.len());
+    // What is reported of the surface is what the turns leave.
+    assert!(told.scallop_max_mm < 0.21, "{}", told.scallop_max_mm);
+    // The turns are those of the path without links, to the last place.
+    let bare = path.without_links();
+    assert!(bare.locations.iter().all(|l| l.touches()) && bare.locations.len() + links_of < path.locations.len());
+    let plain = with.path(&Silent).expect("a path");
+    assert_eq!(bare.turns, plain.turns);
+    assert_eq!(bare.locations, plain.locations);
+    let e = plan::plan(&links(false), &Silent).err().expect("no plan without links");
+    assert_eq!(e.kind, ErrorKind::Infeasible, "{e}");
 }
 
 #[test]

@@ -90,10 +90,28 @@ pub struct CutterLocation {
     pub s_mm: f64,
     /// Ball centre, mm.
     pub centre: Point,
-    /// Contact point on the part, or on the stock that is left on it, mm.
+    /// Contact point on the part, or on the stock that is left on it, mm. On a link, where the ball
+    /// touches nothing, it is the centre.
     pub contact: Point,
-    /// Outward unit normal at the contact: from contact to centre.
+    /// Outward unit normal at the contact: from contact to centre. On a link a direction within the
+    /// range of contact angles of the tool axis.
     pub normal: Vector,
+}
+
+impl CutterLocation {
+    /// The ball touches the part there; else it is on a link, on its way through the air.
+    pub fn touches(&self) -> bool {
+        self.contact != self.centre
+    }
+}
+
+/// A way through the air, off the blade at a location and back onto it at the same place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// The location.
+    pub row: usize,
+    /// Ball centres on the way, mm, with the normals that stand for the tool axis there.
+    pub places: Vec<(Point, Vector)>,
 }
 
 /// A turn: locations `first .. first + count`; its last location is the next turn's base point less
@@ -274,6 +292,69 @@ impl Toolpath {
         Along { location: row, turn, turn_s_mm, height_mm }
     }
 
+    /// The path with links, which come in the order of their locations. After each the location
+    /// that it leaves from comes once more. Second: for each row of the new path the row of this
+    /// one that it is, or that its link leaves from. Cones are left as they are.
+    #[must_use]
+    pub fn with_links(&self, links: &[Link]) -> (Self, Vec<usize>) {
+        let (mut locations, mut origin): (Vec<CutterLocation>, Vec<usize>) = (Vec::new(), Vec::new());
+        let mut ahead = links.iter().peekable();
+        for (row, l) in self.locations.iter().enumerate() {
+            locations.push(*l);
+            while let Some(link) = ahead.next_if(|link| link.row == row) {
+                let on_link = |(centre, normal): &(Point, Vector)| CutterLocation {
+                    centre: *centre,
+                    contact: *centre,
+                    normal: *normal,
+                    ..*l
+                };
+                locations.extend(link.places.iter().map(on_link));
+                locations.push(*l);
+            }
+            origin.resize(locations.len(), row);
+        }
+        (self.of_rows(locations), origin)
+    }
+
+    /// The path without its links.
+    #[must_use]
+    pub fn without_links(&self) -> Self {
+        let mut locations: Vec<CutterLocation> = Vec::with_capacity(self.locations.len());
+        let mut comes_back = false;
+        for l in &self.locations {
+            let again = comes_back && locations.last().is_some_and(|last| last.centre == l.centre);
+            if l.touches() && !again {
+                locations.push(*l);
+            }
+            comes_back = !l.touches();
+        }
+        if locations.len() == self.locations.len() { self.clone() } else { self.of_rows(locations) }
+    }
+
+    /// The path with other locations of the same turns: arc lengths are measured anew.
+    fn of_rows(&self, mut locations: Vec<CutterLocation>) -> Self {
+        let mut turns: Vec<Turn> = Vec::with_capacity(self.turns.len());
+        let (mut s_mm, mut base_mm) = (0.0, 0.0);
+        for row in 0..locations.len() {
+            if let Some(before) = row.checked_sub(1) {
+                s_mm += (locations[row].centre - locations[before].centre).norm();
+            }
+            let turn = locations[row].turn;
+            if row == 0 || locations[row - 1].turn != turn {
+                if let Some(last) = turns.last_mut() {
+                    last.length_mm = s_mm - base_mm;
+                }
+                base_mm = s_mm;
+                turns.push(Turn { first: row, count: 0, length_mm: 0.0 });
+            }
+            if let Some(last) = turns.last_mut() {
+                (last.count, last.length_mm) = (last.count + 1, s_mm - base_mm);
+            }
+            (locations[row].s_mm, locations[row].turn_s_mm) = (s_mm, s_mm - base_mm);
+        }
+        Toolpath { turns, locations, ..self.clone() }
+    }
+
     /// The path of the corner's centres: of balls as large as the corner, with the same contacts.
     #[must_use]
     pub fn of_corner(&self) -> Self {
@@ -288,5 +369,40 @@ impl Toolpath {
     #[must_use]
     pub fn with_cones(self, cones: Cones) -> Self {
         Toolpath { cones, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use crate::sample;
+
+    /// Links lengthen the turns that they are on, and nothing else; without them the path is what
+    /// it was, to the last digit.
+    #[test]
+    fn a_path_with_links_is_itself_without_them() {
+        let before = sample::plan(3, 12).toolpath;
+        // Arc lengths as sums of moves.
+        let path = before.of_rows(before.locations.clone());
+        let link = |row: usize, places: &[f64]| {
+            let over = path.locations[row].centre;
+            let at = |up: &f64| (over + Vector::x() * *up, Vector::x());
+            Link { row, places: places.iter().map(at).collect() }
+        };
+        let (linked, origin) = path.with_links(&[link(4, &[1.0, 2.0, 1.0]), link(14, &[5.0])]);
+        let air: Vec<usize> = (0..linked.locations.len()).filter(|k| !linked.locations[*k].touches()).collect();
+        assert_eq!(air, [5, 6, 7, 19]);
+        assert_eq!(origin.len(), linked.locations.len());
+        assert_eq!([origin[4], origin[6], origin[8], origin[9], origin[19], origin[20]], [4, 4, 4, 5, 14, 14]);
+        let longer: Vec<f64> = linked.turns.iter().zip(&path.turns).map(|(a, b)| a.length_mm - b.length_mm).collect();
+        assert!(longer.iter().zip([4.0, 10.0, 0.0]).all(|(is, want)| (is - want).abs() < 1e-9), "{longer:?}");
+        let counts: Vec<usize> = linked.turns.iter().map(|t| t.count).collect();
+        assert_eq!(counts, [path.turns[0].count + 4, path.turns[1].count + 2, path.turns[2].count]);
+        let (last, own) = (linked.locations.last().unwrap(), path.locations.last().unwrap());
+        assert!((last.s_mm - own.s_mm - 14.0).abs() < 1e-9);
+        let [back, bare] = [linked.without_links(), path.without_links()];
+        assert_eq!((&back.locations, &back.turns), (&path.locations, &path.turns));
+        assert_eq!(bare.locations, path.locations);
     }
 }

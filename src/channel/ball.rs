@@ -9,28 +9,30 @@ use crate::artifact::{Blade, Obstacle, Toolpath};
 use crate::error::{Error, Infeasible, Result, Stage, turn_number};
 use crate::geometry::Point;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::part::Part;
 use crate::parallel;
+
+/// Of a shorter part of a move its ends say enough, mm: in between the ball comes nearer by half as
+/// much at most.
+const SHORTEST_MM: f64 = 1e-3;
 
 /// Checks all moves against all fixtures; the stock may be cut.
 ///
 /// # Errors
-/// Kind `Infeasible` at the first location whose ball comes too near, or inside; the distance asked
-/// for is the ball's radius, the clearance of taper and shank, and half of the longer move beside
-/// the location.
+/// Kind `Infeasible` at the first location whose ball comes too near, there or on the move to the
+/// next, or inside; the distance asked for is the ball's radius and the clearance of taper and
+/// shank.
 pub(super) fn check(path: &Toolpath, blade: &Blade, obstacles: &[Obstacle]) -> Result<()> {
     let Some(first) = path.locations.first() else { return Ok(()) };
     for o in obstacles.iter().filter(|o| !o.cut_by_the_tool) {
         if winding(&o.part.mesh, &first.centre).abs() > 0.5 {
             return Err(too_near(o, (path, blade), 0, "the tool starts in collision: the ball centre is inside", true));
         }
-        let step = |i: usize| {
-            let beside = [i.checked_sub(1), Some(i + 1)];
-            let near = beside.into_iter().flatten().filter_map(|k| path.locations.get(k));
-            near.map(|l| (l.centre - path.locations[i].centre).norm()).fold(0.0, f64::max)
-        };
+        let need_mm = path.radius_mm + o.clearance_mm;
         let clear = parallel::try_map(0..path.locations.len(), |i| {
-            let cap = path.radius_mm + o.clearance_mm + 0.5 * step(i);
-            o.part.closest_on_mesh(&path.locations[i].centre, cap).map_or(Ok(()), |_| Err(i))
+            let from = path.locations[i].centre;
+            let to = path.locations.get(i + 1).map_or(from, |l| l.centre);
+            if keeps_off(&o.part, [from, to], need_mm) { Ok(()) } else { Err(i) }
         });
         if let Err(i) = clear {
             let start = if i == 0 { "the tool starts in collision: " } else { "" };
@@ -39,6 +41,27 @@ pub(super) fn check(path: &Toolpath, blade: &Blade, obstacles: &[Obstacle]) -> R
         }
     }
     Ok(())
+}
+
+/// Whether all of a straight move keeps so far from the surface of a body: it is halved until the
+/// distances at both ends say so for all between, or one of them is too small, or a part is as
+/// short as nothing.
+fn keeps_off(part: &Part, ends: [Point; 2], need_mm: f64) -> bool {
+    let off = |p: &Point, cap_mm: f64| part.closest_on_mesh(p, cap_mm).map_or(cap_mm, |c| c.distance_mm);
+    let mut parts = vec![ends];
+    while let Some([a, b]) = parts.pop() {
+        let length_mm = (b - a).norm();
+        let cap_mm = need_mm + length_mm;
+        let (from, to) = (off(&a, cap_mm), off(&b, cap_mm));
+        if from.min(to) < need_mm {
+            return false;
+        }
+        if 0.5 * (from + to - length_mm) < need_mm && length_mm > SHORTEST_MM {
+            let middle = nalgebra::center(&a, &b);
+            parts.extend([[a, middle], [middle, b]]);
+        }
+    }
+    true
 }
 
 fn too_near(o: &Obstacle, (path, blade): (&Toolpath, &Blade), i: usize, what: &str, inside: bool) -> Error {

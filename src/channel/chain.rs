@@ -37,6 +37,30 @@ fn overlap(a: &Free, b: &Free) -> f64 {
     a.hi.min(b.hi) - a.lo.max(b.lo)
 }
 
+/// Some interval of the one place overlaps one of the other by so much.
+pub(super) fn meet(from: &[Free], to: &[Free], least: f64) -> bool {
+    from.iter().any(|a| to.iter().any(|b| overlap(a, b) >= least))
+}
+
+/// Where chains end: each location none of whose intervals is reached from the one before by what
+/// has been reached since the last such location.
+pub(super) fn gaps(layers: &[Vec<Free>], least: f64) -> Vec<usize> {
+    let mut out = Vec::new();
+    let mut reached: Vec<&Free> = layers.first().map(|l| l.iter().collect()).unwrap_or_default();
+    if reached.is_empty() && !layers.is_empty() {
+        out.push(0);
+    }
+    for (k, layer) in layers.iter().enumerate().skip(1) {
+        let next: Vec<&Free> = layer.iter().filter(|b| reached.iter().any(|a| overlap(a, b) >= least)).collect();
+        let ends = next.is_empty();
+        if ends {
+            out.push(k);
+        }
+        reached = if ends { layer.iter().collect() } else { next };
+    }
+    out
+}
+
 /// The greatest overlap that some chain has everywhere.
 fn greatest_least_overlap(layers: &[Vec<Free>], least: f64) -> Result<f64, Closed> {
     let mut best: Vec<f64> = layers.first().map(|l| l.iter().map(|f| f.hi - f.lo).collect()).unwrap_or_default();

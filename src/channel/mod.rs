@@ -112,6 +112,9 @@ const FINE_RAD: f64 = 5e-5;
 /// Triangles of that finer tree, about.
 const FINE_MOST: usize = 250_000;
 
+/// How often the way between two places is halved where their free angles have nothing in common.
+const MOST_HALVINGS: usize = 6;
+
 /// With a wider free interval a place needs no finer index, rad.
 pub const NARROW_RAD: f64 = 0.05;
 
@@ -276,6 +279,44 @@ pub fn intervals(
     Ok(layers.iter().map(|layer| layer.iter().map(named).collect()).collect())
 }
 
+/// Every location at which free angles do not join on to those before it, as [`plan`] looks at them
+/// before moves: where none is free, or where those that are free have nothing in common with any
+/// to which a chain has led since the last such location. Where there is none of these, every
+/// location at which straight walls leave nothing.
+///
+/// # Errors
+/// As [`intervals`].
+pub fn gaps(
+    surroundings: &Surroundings,
+    tool: &Tool,
+    path: &Toolpath,
+    options: &ChannelOptions,
+    observer: &dyn Observer,
+) -> Result<Vec<usize>> {
+    check_input(tool, path, options)?;
+    let for_search = surroundings.for_search(options);
+    let scene = surroundings.scene(tool, &for_search);
+    let free_at = |samples: &[Sample]| surroundings.layers(tool, &scene, (samples, path), observer);
+    let least = least_overlap(options);
+    let (samples, layers) = joined(path, samples_of(tool, path, options), (least, options.sweep), &free_at)?;
+    let mut rows: Vec<usize> = chain::gaps(&layers, least).into_iter().map(|k| samples[k].row).collect();
+    rows.dedup();
+    // Where a chain leads on, straight walls may still leave nothing between them.
+    if rows.is_empty()
+        && let Ok(chain) = chain::widest(&layers, least)
+    {
+        let chosen: Vec<Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, k)| l.get(*k).copied()).collect();
+        let walls = walls::rows(&samples, &chosen, &scene);
+        rows.extend((0..walls.len()).filter(|k| walls[*k].theta_min > walls[*k].theta_max));
+    }
+    Ok(rows)
+}
+
+/// What free angles of neighbouring places have to have in common, rad.
+fn least_overlap(options: &ChannelOptions) -> f64 {
+    2.0 * options.settings.tolerance_deg.to_radians()
+}
+
 /// The channel within walls at all places of a path, rad, for θ that never falls.
 ///
 /// # Errors
@@ -358,14 +399,14 @@ fn plan_with(
     ball::check(path, surroundings.blade, surroundings.obstacles)?;
     let for_search = surroundings.for_search(options);
     let scene = surroundings.scene(tool, &for_search);
-    let samples = samples_of(tool, path, options);
     // What moves are proven against, the index, gives the ends then: one that lay farther out would
     // only be moved in again, and its neighbours with it.
-    let mut layers = if options.settings.prove_moves {
-        layers(&scene, &samples, observer)?
-    } else {
-        surroundings.layers(tool, &scene, (&samples, path), observer)?
+    let free_at = |samples: &[Sample]| match options.settings.prove_moves {
+        true => layers(&scene, samples, observer),
+        false => surroundings.layers(tool, &scene, (samples, path), observer),
     };
+    let least = least_overlap(options);
+    let (samples, mut layers) = joined(path, samples_of(tool, path, options), (least, options.sweep), &free_at)?;
     // Places at which the finer index is to decide, and those at which it has.
     let mut asked = if finer.is_some() { narrow(&layers) } else { Vec::new() };
     let mut by_finer = vec![false; samples.len()];
@@ -376,7 +417,7 @@ fn plan_with(
             widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&asked, &samples), observer)?;
             asked.iter().for_each(|k| by_finer[*k] = true);
         }
-        let chain = chain::widest(&layers, 2.0 * options.settings.tolerance_deg.to_radians())
+        let chain = chain::widest(&layers, least)
             .map_err(|c| surroundings.closed(tool, options, (&reporter, &layers), c.at))?;
         let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
         let mut lifts = Vec::new();
@@ -438,6 +479,39 @@ fn samples_of(tool: &Tool, path: &Toolpath, options: &ChannelOptions) -> Vec<Sam
         true => samples::along(path, options.max_step_mm, options.sweep),
         false => samples::along_finely(path, options.max_step_mm, windows::TURN_RAD, options.sweep),
     }
+}
+
+/// The places with more between those where cones turn past a narrow gap: there the angles that are
+/// free at one place and those at the next have nothing in common, and on the way they lead from
+/// the ones to the others.
+fn joined(
+    path: &Toolpath,
+    mut samples: Vec<Sample>,
+    (least, sweep): (f64, crate::artifact::Sweep),
+    free_at: &dyn Fn(&[Sample]) -> Result<Vec<Vec<Free>>>,
+) -> Result<(Vec<Sample>, Vec<Vec<Free>>)> {
+    let mut layers = free_at(&samples)?;
+    for _ in 0..MOST_HALVINGS {
+        let is_apart = |k: &usize| {
+            let (from, to) = (&layers[k - 1], &layers[*k]);
+            samples[k - 1].cone != samples[*k].cone
+                && !from.is_empty()
+                && !to.is_empty()
+                && !chain::meet(from, to, least)
+        };
+        let apart: Vec<usize> = (1..samples.len()).filter(is_apart).collect();
+        if apart.is_empty() {
+            break;
+        }
+        let between: Vec<Sample> =
+            apart.iter().map(|k| samples::midway(path, [&samples[k - 1], &samples[*k]], sweep)).collect();
+        let of_between = free_at(&between)?;
+        for ((k, sample), layer) in apart.iter().zip(between).zip(of_between).rev() {
+            samples.insert(*k, sample);
+            layers.insert(*k, layer);
+        }
+    }
+    Ok((samples, layers))
 }
 
 /// Free intervals of all places within the axes' limits, of the index with what it lies off

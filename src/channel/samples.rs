@@ -79,6 +79,25 @@ pub(super) fn along_finely(path: &Toolpath, max_step_mm: f64, max_turn_rad: f64,
     out
 }
 
+/// The place midway between two places that follow one another; the angle of its normal is
+/// unwrapped from the first.
+pub(super) fn midway(path: &Toolpath, [a, b]: [&Sample; 2], sweep: Sweep) -> Sample {
+    let to = if b.row > a.row { 1.0 } else { b.fraction };
+    let fraction = 0.5 * (a.fraction + to);
+    let cone = path.cones.between(a.row, fraction);
+    let normal = a.normal.lerp(&b.normal, 0.5).try_normalize(1e-9).unwrap_or(a.normal);
+    let azimuth = unwrapped(a.azimuth, &normal, &cone, sweep);
+    Sample {
+        row: a.row,
+        fraction,
+        centre: nalgebra::center(&a.centre, &b.centre),
+        normal,
+        cone,
+        azimuth,
+        within_rad: None,
+    }
+}
+
 /// The azimuth at every location, like those of the places.
 pub(super) fn azimuths(path: &Toolpath, sweep: Sweep) -> Vec<f64> {
     let mut azimuth = 0.0;

@@ -80,7 +80,7 @@ fn caps(path: &Toolpath, theta: &[f64], options: &FeedOptions) -> Vec<f64> {
         }
         let ds = l[b].s_mm - l[a].s_mm;
         let mut most = feed;
-        if options.limit_contact && ds > 0.0 {
+        if options.limit_contact && ds > 0.0 && l[a].touches() && l[b].touches() {
             let contact = options.contact_mm_s.map_or(feed, |own| own.min(feed));
             most = most.min(contact * ds / (l[b].contact - l[a].contact).norm().max(1e-3 * ds));
         }

@@ -193,6 +193,17 @@ pub enum Doubt {
         /// How many.
         count: usize,
     },
+    /// The tool leaves the blade on the way, and comes back with another axis.
+    TurnsCut {
+        /// How often.
+        links: usize,
+        /// Turn of the first, from 0.
+        turn: u32,
+        /// Its place on that turn, mm.
+        turn_s_mm: f64,
+        /// Length of all ways through the air, mm.
+        length_mm: f64,
+    },
     /// The monotone channel is narrow.
     NarrowChannel {
         /// Its least width, degrees.
@@ -456,6 +467,13 @@ impl fmt::Display for Doubt {
             Doubt::SeveralChannels { count } => write!(
                 f,
                 "{count} separate channels lead round the path; taken is the one whose narrowest place is widest"
+            ),
+            Doubt::TurnsCut { links, turn, turn_s_mm, length_mm } => write!(
+                f,
+                "no tool axis leads on along the blade at {links} places, first at turn {}, S = {turn_s_mm:.2} mm: there \
+                 the tool leaves the blade along its axis and comes back with another, {length_mm:.0} mm through the air \
+                 in all",
+                turn_number(*turn)
             ),
             Doubt::NarrowChannel { width_deg, turn, turn_s_mm } => write!(
                 f,

@@ -38,6 +38,9 @@ section! {
         /// through. Where it finds none, half of it is tried, and so on down to 1°. What is tried
         /// only guides the search, the channel is proven afterwards.
         grid_deg: f64 = 3.0, 1.0..=15.0;
+        /// Whether the tool may leave the blade where no axis leads on, and come back to the same
+        /// place with another: kind `five-axis`. The plan says how often it does.
+        links: bool = true;
     }
 }
 

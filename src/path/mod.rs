@@ -93,8 +93,8 @@ use rim::Rim;
 /// A ball in the corner between blade and hub is on the hub; what else ends turns is lower by this
 /// share of its radius.
 const OFF_HUB: f64 = 0.1;
-/// Over a hub that the part does not have, a ball keeps so far off its contour: smooth curves take
-/// the place of that.
+/// Over a hub that the part does not have, a ball keeps so far off its contour beside the
+/// clearance: smooth curves take the place of that.
 const ABOVE_CONTOUR_MM: f64 = 0.05;
 
 /// Lays the helix.
@@ -142,7 +142,11 @@ fn ends_on_hub(blade: &Blade, options: &PathOptions) -> Result<Option<PathOption
     let mut out = options.clone();
     let of_part = blade.wheel.is_some_and(|wheel| wheel.whole);
     let radius_mm = options.radius_mm + options.settings.stock_mm;
-    let on_hub_mm = if of_part { radius_mm - OFF_HUB * options.radius_mm } else { radius_mm + ABOVE_CONTOUR_MM };
+    let on_hub_mm = if of_part {
+        radius_mm - OFF_HUB * options.radius_mm
+    } else {
+        radius_mm + options.hub_clearance_mm + ABOVE_CONTOUR_MM
+    };
     out.extent.ends.push(Boundary::Height(on_hub_mm));
     Ok(Some(out))
 }

@@ -42,6 +42,7 @@ mod doubts;
 mod even;
 mod free_axes;
 pub(crate) mod leads;
+mod links;
 mod orientation;
 pub(crate) mod paths;
 pub mod pinch;
@@ -158,6 +159,7 @@ impl Setup {
             start_near: self.start_near,
             extent: Extent { ends: ends.collect(), ..Extent::heights(Some(r.start_mm), None) },
             hub_of: self.hub_of(),
+            hub_clearance_mm: self.job.channel.clearance_mm,
             lean_rad: self.job.machine.b_deg.to_radians(),
         }
     }

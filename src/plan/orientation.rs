@@ -4,13 +4,14 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::Setup;
+use super::links::{self, Heights, Linked};
 use crate::artifact::schedule::{Measure, ScheduleKind};
 use crate::artifact::{Channel, Cone, Cones, Toolpath, Wheel};
 use crate::channel::{self, ChannelOptions, Surroundings};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, turn_number};
 use crate::geometry::{Point, Vector};
-use crate::observe::{Observer, Silent};
-use crate::orient::{self, DirectionGrid, OrientationKind};
+use crate::observe::{Observer, Silent, Warning};
+use crate::orient::{self, DirectionGrid, OrientationKind, Way};
 use crate::parallel;
 use crate::schedule::{self, ScheduleOptions};
 
@@ -25,11 +26,17 @@ const MOST_RAD: [f64; 2] = [1.31, 1.75];
 const INSIDE: f64 = 0.5;
 /// How often the way is sought with more stations.
 const MOST_SEARCHES: usize = 40;
+/// From this search on narrow gaps at which a way stops are no longer looked into.
+const PATIENCE: usize = 3;
 /// Ends of arcs are found to this share of a cell.
 const CELL_SHARE: f64 = 0.05;
 /// What latitude and longitude keep from the walls while the other is held, degrees, but at most a
 /// quarter of the width: at a wall of the one the other has no room.
 const KEEP_DEG: f64 = 10.0;
+/// Room for rounding at the ends of travel, mm or rad.
+const ROUNDING: f64 = 1e-9;
+/// How often the way to the last latitude that the machine reaches is halved.
+const HALVINGS: usize = 40;
 /// No finer grid is tried, degrees.
 const FINEST_DEG: f64 = 1.0;
 
@@ -55,16 +62,42 @@ impl Setup {
                 Ok((path.with_cones(cones), None))
             }
             OrientationKind::FiveAxis => {
-                let mut grid_deg = self.job.orientation.grid_deg;
-                loop {
-                    match five_axis(self, wheel, &path, (around, grid_deg), observer) {
-                        Err(e) if e.kind == ErrorKind::Infeasible && 0.5 * grid_deg >= FINEST_DEG => grid_deg *= 0.5,
-                        found => return found.map(|(path, channel)| (path, Some(channel))),
-                    }
+                let (path, channel) = self.on_any_grid(wheel, &path.without_links(), around, observer)?;
+                if let Some(doubt) = links::doubt(&path) {
+                    observer.warn(Warning { stage: Stage::Channel, doubt });
                 }
+                Ok((path, Some(channel)))
             }
         }
     }
+}
+
+impl Setup {
+    /// The path with cones and its channel by the coarsest grid that finds a way.
+    fn on_any_grid(
+        &self,
+        wheel: &Wheel,
+        path: &Toolpath,
+        around: &Surroundings,
+        observer: &dyn Observer,
+    ) -> Result<(Toolpath, Channel)> {
+        let mut grid_deg = self.job.orientation.grid_deg;
+        loop {
+            match five_axis(self, wheel, path, (around, grid_deg), observer) {
+                Err(e) if is_of_axes(&e) && 0.5 * grid_deg >= FINEST_DEG => grid_deg *= 0.5,
+                found => return found,
+            }
+        }
+    }
+}
+
+/// Whether other tool axes may mend it.
+fn is_of_axes(e: &Error) -> bool {
+    use Infeasible::{ChannelCloses, ChannelClosesOnMove, NoFreeAngle, NoToolAxis};
+    let of_axes = |i: &Infeasible| {
+        matches!(i, NoFreeAngle { .. } | ChannelCloses { .. } | ChannelClosesOnMove { .. } | NoToolAxis { .. })
+    };
+    e.infeasible.as_deref().is_some_and(of_axes)
 }
 
 /// From the rotor axis towards the middle of the blade, unit: the virtual axis of the paper.
@@ -90,59 +123,180 @@ fn five_axis(
     let step_rad = grid_deg.to_radians();
     let along_blade = || Error::usage(Stage::Channel, "the rotor axis is along the blade");
     let grid = DirectionGrid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
-    let mut stations = orient::stations(path, STATION_MM, STATION_RAD);
-    let mut free = free_cells(setup, &grid, &path.at(&stations), around, observer)?;
-    for _ in 0..MOST_SEARCHES {
-        let found = along_way(setup, path, (&grid, &stations, &free), around, observer);
+    let stations = orient::stations(path, STATION_MM, STATION_RAD);
+    let free = free_cells(setup, &grid, &path.at(&stations), around, observer)?;
+    let closed = vec![false; stations.len()];
+    let mut search = Search { stations, free, closed, narrow: Vec::new(), heights: Heights::default() };
+    for tried in 0..MOST_SEARCHES {
+        let Stopped { error, rows } = match along_way(setup, path, (&grid, &mut search), around, observer) {
+            Ok(found) => return Ok(found),
+            Err(stopped) => stopped,
+        };
         // What is free may change faster than stations stand, and between two of them the way may
         // lead through what is taken: where it closes, more is looked at.
-        let Some(more) = found.as_ref().err().and_then(|e| closer(&stations, e)) else { return found };
-        let of_more = free_cells(setup, &grid, &path.at(&more), around, observer)?;
-        for (row, cells) in more.into_iter().zip(of_more) {
-            let at = stations.partition_point(|s| *s < row);
-            stations.insert(at, row);
-            free.insert(at, cells);
+        // Where that does not help, or leaves a gap too narrow for a smooth schedule, no way leads
+        // through gaps any more.
+        let (links, of_axes) = (setup.job.orientation.links, is_of_axes(&error));
+        let rows = if of_axes { rows } else { search.narrow.clone() };
+        if error.kind != ErrorKind::Infeasible || !(of_axes || links) {
+            return Err(error);
+        }
+        let without_gaps = links && (tried >= PATIENCE || !of_axes) && search.close_gaps(path, &rows);
+        let mut more: Vec<usize> = rows.iter().flat_map(|row| closer(&search.stations, *row)).collect();
+        more.sort_unstable();
+        more.dedup();
+        if without_gaps {
+            more.clear();
+        }
+        if more.is_empty() && !without_gaps && !(links && search.close_gaps(path, &rows)) {
+            return Err(error);
+        }
+        if !more.is_empty() {
+            let of_more = free_cells(setup, &grid, &path.at(&more), around, observer)?;
+            search.look_at(more, of_more);
         }
     }
-    along_way(setup, path, (&grid, &stations, &free), around, observer)
+    along_way(setup, path, (&grid, &mut search), around, observer).map_err(|stopped| stopped.error)
 }
 
-/// The location at which a channel closes, and those midway to the stations before and behind it,
-/// as far as they are none; `None` where all of them are stations.
-fn closer(stations: &[usize], e: &Error) -> Option<Vec<usize>> {
-    let row = match e.infeasible.as_deref()? {
-        Infeasible::NoFreeAngle { at, .. } | Infeasible::ChannelCloses { at, .. } => at.location,
-        Infeasible::ChannelClosesOnMove { after, .. } => after.location,
-        _ => return None,
-    };
+/// What is known of the free tool axes along a path.
+struct Search {
+    /// Rows that are looked at, rising.
+    stations: Vec<usize>,
+    free: Vec<FreeStation>,
+    /// Stations at which gaps narrower than a cell have turned out to lead nowhere.
+    closed: Vec<bool>,
+    /// Rows at which the last way leads through such a gap.
+    narrow: Vec<usize>,
+    heights: Heights,
+}
+
+/// Free directions of the grid at a station.
+struct FreeStation {
+    all: orient::FreeCells,
+    /// Without gaps narrower than a cell.
+    wide: orient::FreeCells,
+}
+
+impl Search {
+    /// The cells that count at each station.
+    fn cells(&self) -> Vec<&orient::FreeCells> {
+        fn of(free: &FreeStation, closed: bool) -> &orient::FreeCells {
+            if closed && free.wide.contains(&true) { &free.wide } else { &free.all }
+        }
+        self.free.iter().zip(&self.closed).map(|(free, closed)| of(free, *closed)).collect()
+    }
+
+    /// Adds stations.
+    fn look_at(&mut self, more: Vec<usize>, of_more: Vec<FreeStation>) {
+        for (row, free) in more.into_iter().zip(of_more) {
+            let at = self.stations.partition_point(|s| *s < row);
+            let beside = [at.checked_sub(1), Some(at)].map(|k| k.and_then(|k| self.closed.get(k)).copied());
+            self.stations.insert(at, row);
+            self.free.insert(at, free);
+            self.closed.insert(at, beside.iter().all(|c| *c == Some(true)));
+        }
+    }
+
+    /// Lets no way lead through narrow gaps near to these rows; whether the last one did.
+    fn close_gaps(&mut self, path: &Toolpath, rows: &[usize]) -> bool {
+        let at = |row: usize| path.locations.get(row).map_or(0.0, |l| l.s_mm);
+        let near = |row: usize| rows.iter().any(|r| (at(*r) - at(row)).abs() <= STATION_MM);
+        let mut any = false;
+        for (k, row) in self.stations.iter().enumerate().filter(|(_, row)| near(**row)) {
+            any |= !self.closed[k] && self.narrow.binary_search(row).is_ok() && self.free[k].wide.contains(&true);
+            self.closed[k] = true;
+        }
+        any
+    }
+
+    /// Remembers where a way leads through narrow gaps.
+    fn led(&mut self, grid: &DirectionGrid, way: &Way) {
+        let is_narrow =
+            |k: &usize| [way.arrives[*k], way.leaves[*k]].iter().any(|at| !self.free[*k].wide[grid.cell_of(at)]);
+        self.narrow = (0..self.stations.len()).filter(is_narrow).map(|k| self.stations[k]).collect();
+    }
+}
+
+/// Why a way comes to nothing, and the locations of the path without links at which it stops.
+struct Stopped {
+    error: Error,
+    rows: Vec<usize>,
+}
+
+impl From<Error> for Stopped {
+    fn from(error: Error) -> Self {
+        Stopped { error, rows: Vec::new() }
+    }
+}
+
+/// The location at which a channel closes or no way goes on, and those midway to the stations
+/// before and behind it, as far as they are no stations yet.
+fn closer(stations: &[usize], row: usize) -> Vec<usize> {
     let before = stations[..stations.partition_point(|s| *s < row)].last().copied().unwrap_or(row);
     let after = stations.get(stations.partition_point(|s| *s <= row)).copied().unwrap_or(row);
     let mut more = vec![before.midpoint(row), row, row.midpoint(after)];
     more.dedup();
     more.retain(|r| stations.binary_search(r).is_err());
-    (!more.is_empty()).then_some(more)
+    more
+}
+
+/// The location at which a channel closes or no way goes on.
+fn stops_at(e: &Error) -> Option<usize> {
+    match e.infeasible.as_deref()? {
+        Infeasible::NoFreeAngle { at, .. } | Infeasible::ChannelCloses { at, .. } => Some(at.location),
+        Infeasible::ChannelClosesOnMove { after, .. } => Some(after.location),
+        Infeasible::NoToolAxis { at } => Some(at.location),
+        _ => None,
+    }
 }
 
 /// The path with cones along the least way through what is free at stations, and its channel.
 fn along_way(
     setup: &Setup,
     path: &Toolpath,
-    (grid, stations, free): (&DirectionGrid, &[usize], &[orient::FreeCells]),
+    (grid, search): (&DirectionGrid, &mut Search),
     around: &Surroundings,
     observer: &dyn Observer,
-) -> Result<(Toolpath, Channel)> {
-    let s_mm: Vec<f64> = stations.iter().map(|row| path.locations[*row].s_mm).collect();
-    let way = orient::least_way(grid, &s_mm, free).map_err(|k| closed(path, stations[k], free[k].contains(&true)))?;
+) -> std::result::Result<(Toolpath, Channel), Stopped> {
+    let s_mm: Vec<f64> = search.stations.iter().map(|row| path.locations[*row].s_mm).collect();
+    let way = orient::least_way(grid, &s_mm, &search.cells(), setup.job.orientation.links).map_err(|k| {
+        let row = search.stations[k];
+        Stopped { error: closed(path, row, search.free[k].all.contains(&true)), rows: vec![row] }
+    })?;
+    search.led(grid, &way);
     observer.check(Stage::Channel)?;
-    let latitude: Vec<f64> = way.iter().map(|[_, latitude]| *latitude).collect();
-    let latitude = orient::between_stations(path, stations, &latitude);
+    let linked = links::linked(setup, path, grid, (&search.stations, &way), (around, &mut search.heights))?;
+    let mut closes = Vec::new();
+    along(setup, grid, &linked, (around, &mut closes), observer).map_err(|error| {
+        closes.extend(stops_at(&error));
+        let mut rows: Vec<usize> = closes.iter().filter_map(|row| linked.origin.get(*row).copied()).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        Stopped { error, rows }
+    })
+}
+
+/// The path with smooth cones along its guides, and its channel. Where that closes, `closes` gets
+/// every location at which it does.
+fn along(
+    setup: &Setup,
+    grid: &DirectionGrid,
+    linked: &Linked,
+    (around, closes): (&Surroundings, &mut Vec<usize>),
+    observer: &dyn Observer,
+) -> Result<(Toolpath, Channel)> {
+    let path = &linked.path;
+    let latitude = orient::between_stations(path, &linked.stations, &linked.latitudes);
     // Longitude on the latitudes of the way, then latitude on the longitudes found.
     let parallels = |latitude: &[f64]| Cones::along(latitude.iter().map(|l| grid.parallel(*l)).collect());
-    let longitude = curve(setup, path, (parallels(&latitude), MOST_RAD[1]), around, observer)?;
+    let most = [-MOST_RAD[1], MOST_RAD[1]];
+    let longitude = curve(setup, path, (parallels(&latitude), most), (around, closes), observer)?;
     let meridians: Vec<Cone> = longitude.iter().map(|l| grid.meridian(*l)).collect();
-    let latitude = curve(setup, path, (Cones::along(meridians), MOST_RAD[0]), around, observer)?;
+    let reach = latitudes(setup, grid);
+    let latitude = curve(setup, path, (Cones::along(meridians), reach), (around, closes), observer)?;
     let path = path.clone().with_cones(parallels(&latitude));
-    let channel = channel::plan_among(around, &setup.job.tool, &path, &setup.channel_options(), observer)?;
+    let channel = channel_or_gaps(setup, &path, &setup.channel_options(), (around, closes), observer)?;
     Ok((path, channel))
 }
 
@@ -153,7 +307,7 @@ fn free_cells(
     few: &Toolpath,
     around: &Surroundings,
     observer: &dyn Observer,
-) -> Result<Vec<orient::FreeCells>> {
+) -> Result<Vec<FreeStation>> {
     // Cells are many times as wide as this; along the cones that are chosen the channel is made as
     // the job asks.
     let options = setup.channel_options().with(|s| {
@@ -176,47 +330,91 @@ fn free_cells(
     }
     let reached = reached(setup, grid);
     let margin_rad = INSIDE * grid.step_rad();
-    let cells = by_station.iter().map(|intervals| {
-        let mut cells = orient::free_cells(grid, intervals, margin_rad);
+    let within = |mut cells: orient::FreeCells| {
         cells.iter_mut().zip(&reached).for_each(|(c, r)| *c &= r);
         cells
-    });
-    Ok(cells.collect())
+    };
+    let station = |intervals: &Vec<Vec<[f64; 2]>>| FreeStation {
+        all: within(orient::free_cells(grid, intervals, margin_rad)),
+        wide: within(orient::wide_cells(grid, intervals, margin_rad)),
+    };
+    Ok(by_station.iter().map(station).collect())
 }
 
 /// Directions of the grid that the machine's rotary axes reach within their travel.
 fn reached(setup: &Setup, grid: &DirectionGrid) -> Vec<bool> {
-    let machine = &setup.machine;
-    let near = crate::artifact::Axes::of_default(machine.axes().len());
-    let within = |axis: &Vector| {
-        machine.rotary_of_axis(axis, &near).is_some_and(|row| {
-            machine.rotary().all(|k| machine.axes()[k].limits.travel.is_none_or(|[lo, hi]| (lo..=hi).contains(&row[k])))
-        })
-    };
     let directions = grid.latitudes.iter().flat_map(|latitude| {
         let cone = grid.parallel(*latitude);
         grid.longitudes.iter().map(move |longitude| cone.tool_axis(*longitude))
     });
-    directions.map(|axis| within(&axis)).collect()
+    directions.map(|axis| reaches(setup, &axis)).collect()
 }
 
-/// The smooth curve of the angle along these cones, within `most_rad` either side and well inside
-/// what is free: least square of its second derivative.
+/// Whether the rotary axes are within their travel along a tool axis.
+fn reaches(setup: &Setup, axis: &Vector) -> bool {
+    let (machine, near) = (&setup.machine, crate::artifact::Axes::of_default(setup.machine.axes().len()));
+    machine.rotary_of_axis(axis, &near).is_some_and(|row| {
+        let is_in = |k: usize| {
+            let travel = machine.axes()[k].limits.travel;
+            travel.is_none_or(|[lo, hi]| (lo - ROUNDING..=hi + ROUNDING).contains(&row[k]))
+        };
+        machine.rotary().all(is_in)
+    })
+}
+
+/// From the least to the greatest latitude that the machine reaches, rad: the wheel is clamped with
+/// its rotor axis along one of the rotary axes, so the other one's travel limits latitudes.
+fn latitudes(setup: &Setup, grid: &DirectionGrid) -> [f64; 2] {
+    let is_in = |latitude: f64| reaches(setup, &grid.parallel(latitude).tool_axis(0.0));
+    let mut rows = grid.latitudes.iter().copied().filter(|l| is_in(*l));
+    let Some(first) = rows.next() else { return [-MOST_RAD[0], MOST_RAD[0]] };
+    let last = rows.next_back().unwrap_or(first);
+    let end = |inside: f64, side: f64| {
+        let (mut inside, mut outside) = (inside, (inside + side * grid.step_rad()).clamp(-MOST_RAD[0], MOST_RAD[0]));
+        if is_in(outside) {
+            return outside;
+        }
+        for _ in 0..HALVINGS {
+            let middle = inside.midpoint(outside);
+            *(if is_in(middle) { &mut inside } else { &mut outside }) = middle;
+        }
+        inside
+    };
+    [end(first, -1.0), end(last, 1.0)]
+}
+
+/// The smooth curve of the angle along these cones, within `limits_rad` and well inside what is
+/// free: least square of its second derivative.
 fn curve(
     setup: &Setup,
     path: &Toolpath,
-    (cones, most_rad): (Cones, f64),
-    around: &Surroundings,
+    (cones, limits_rad): (Cones, [f64; 2]),
+    gaps: (&Surroundings, &mut Vec<usize>),
     observer: &dyn Observer,
 ) -> Result<Vec<f64>> {
     let path = path.clone().with_cones(cones);
-    let options = ChannelOptions { theta_limits_rad: Some([-most_rad, most_rad]), ..setup.channel_options() };
-    let walls = channel::plan_among(around, &setup.job.tool, &path, &options, observer)?;
+    let options = ChannelOptions { theta_limits_rad: Some(limits_rad), ..setup.channel_options() };
+    let walls = channel_or_gaps(setup, &path, &options, gaps, observer)?;
     let options = ScheduleOptions::default().with(|s| {
         s.measure = Measure::SquareSecond;
         s.margin_deg = KEEP_DEG;
     });
     schedule::plan(ScheduleKind::Optimal, &path, &walls, &options, &Silent).map(|s| s.theta)
+}
+
+/// The channel along these cones; where it closes, every location at which it does.
+fn channel_or_gaps(
+    setup: &Setup,
+    path: &Toolpath,
+    options: &ChannelOptions,
+    (around, closes): (&Surroundings, &mut Vec<usize>),
+    observer: &dyn Observer,
+) -> Result<Channel> {
+    let planned = channel::plan_among(around, &setup.job.tool, path, options, observer);
+    if planned.as_ref().is_err_and(is_of_axes) {
+        *closes = channel::gaps(around, &setup.job.tool, path, options, observer)?;
+    }
+    planned
 }
 
 /// The error at a station to which no way leads.
@@ -245,14 +443,19 @@ mod tests {
     #[test]
     fn stations_come_closer_where_a_channel_closes() {
         let stations = [0, 40, 80];
-        assert_eq!(closer(&stations, &closes(60)), Some(vec![50, 60, 70]));
-        assert_eq!(closer(&stations, &closes(40)), Some(vec![20, 60]));
-        assert_eq!(closer(&stations, &closes(80)), Some(vec![60]));
-        assert_eq!(closer(&stations, &closes(41)), Some(vec![41, 60]));
-        assert_eq!(closer(&[4, 5, 6], &closes(5)), None);
-        assert_eq!(closer(&stations, &Error::usage(Stage::Channel, "another")), None);
+        assert_eq!(closer(&stations, 60), [50, 60, 70]);
+        assert_eq!(closer(&stations, 40), [20, 60]);
+        assert_eq!(closer(&stations, 80), [60]);
+        assert_eq!(closer(&stations, 41), [41, 60]);
+        assert!(closer(&[4, 5, 6], 5).is_empty());
+        assert_eq!(stops_at(&closes(60)), Some(60));
+        assert_eq!(stops_at(&Error::usage(Stage::Channel, "another")), None);
         let mut all: Vec<usize> = stations.to_vec();
-        while let Some(more) = closer(&all, &closes(37)) {
+        loop {
+            let more = closer(&all, 37);
+            if more.is_empty() {
+                break;
+            }
             assert!(more.iter().all(|r| all.binary_search(r).is_err()));
             all.extend(more);
             all.sort_unstable();

@@ -88,7 +88,7 @@ fn values(plan: &Plan, asked: &Asked, options: &VerifyOptions) -> Check {
 /// Heights of a turn's ball centres: least, mean, greatest.
 fn heights(along: &Along, locations: &[CutterLocation], turn: &Turn) -> [f64; 3] {
     let of = locations.get(turn.first..turn.first.saturating_add(turn.count)).unwrap_or_default();
-    let all: Vec<f64> = of.iter().map(|l| along.height_mm(&l.centre)).collect();
+    let all: Vec<f64> = of.iter().filter(|l| l.touches()).map(|l| along.height_mm(&l.centre)).collect();
     let (lo, hi) = all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
     [lo, all.iter().sum::<f64>() / all.len() as f64, hi]
 }
@@ -229,7 +229,8 @@ fn ends_as_asked(path: &Toolpath) -> bool {
 /// Greatest lean of the wall towards the tip along a turn, rad.
 fn leans(along: &Along, locations: &[CutterLocation], turn: &Turn) -> f64 {
     let of = locations.get(turn.first..turn.first.saturating_add(turn.count)).unwrap_or_default();
-    of.iter().map(|l| along.frame(&l.centre).lean(&l.normal)).fold(-1.0, f64::max).clamp(-1.0, 1.0).asin()
+    let on_part = of.iter().filter(|l| l.touches());
+    on_part.map(|l| along.frame(&l.centre).lean(&l.normal)).fold(-1.0, f64::max).clamp(-1.0, 1.0).asin()
 }
 
 /// The greatest feed.

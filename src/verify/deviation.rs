@@ -79,7 +79,7 @@ pub fn deviation(blade: &Blade, path: &Toolpath, tolerance_mm: f64) -> Result<De
         return Err(Error::usage(Stage::Verify, what));
     }
     let part = Allowed::new(&blade.part, path.stock_mm);
-    Ok(measure(&part, &[ToolCut::new(Sweep::new(path), path.scallop_mm)], tolerance_mm))
+    Ok(measure(&part, &[ToolCut::new(Sweep::cutting(path), path.scallop_mm)], tolerance_mm))
 }
 
 /// What one tool has cut.

@@ -42,14 +42,14 @@ pub fn limit(blade: &Blade, path: &Toolpath, scallop_mm: f64, samples: usize) ->
         return Err(Error::usage(Stage::Verify, "the path has fewer than 2 cutter locations"));
     }
     let part = Allowed::new(&blade.part, path.stock_mm);
-    Ok(measure(&part, &Sweep::new(path), scallop_mm, samples))
+    Ok(measure(&part, &Sweep::cutting(path), scallop_mm, samples))
 }
 
 /// Whether a row belongs to a turn with neighbours on both sides; every row where there are fewer
 /// than three turns.
 fn inner(sweep: &Sweep, row: usize) -> bool {
     let (first, last) = ridge::outer_turns(sweep);
-    last < first + 2 || (sweep.turns[row] > first && sweep.turns[row] < last)
+    sweep.touches(row) && (last < first + 2 || (sweep.turns[row] > first && sweep.turns[row] < last))
 }
 
 /// See [`limit`].

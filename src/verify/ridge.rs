@@ -46,7 +46,7 @@ pub fn ridges_p99(path: &Toolpath, part: &Part, options: &VerifyOptions) -> f64 
         return 0.0;
     }
     let on = Allowed::new(part, path.stock_mm);
-    percentile(&all(&on, &Sweep::new(path), options.scallop_mm, false), 0.99)
+    percentile(&all(&on, &Sweep::cutting(path), options.scallop_mm, false), 0.99)
 }
 
 /// A ridge between a turn and the next.
@@ -64,9 +64,12 @@ pub fn ridges(path: &Toolpath, part: &Part, options: &VerifyOptions, most: usize
     if part.brep.is_none() || path.locations.len() < 2 {
         return Vec::new();
     }
-    let (on, sweep) = (Allowed::new(part, path.stock_mm), Sweep::new(path));
+    let (on, sweep) = (Allowed::new(part, path.stock_mm), Sweep::cutting(path));
     let of = looked_for(&on, &sweep, options.scallop_mm, most);
     let one = |row: usize| {
+        if !sweep.touches(row) {
+            return None;
+        }
         let (ridge, other) = of.with_other(row, sweep.turns[row] + 1)?;
         Some(RidgeAt { rows: [row, other], height_mm: ridge.height_mm })
     };
@@ -85,7 +88,8 @@ pub(super) fn all(part: &Allowed, sweep: &Sweep, scallop_mm: f64, inner: bool) -
     let ridges = looked_for(part, sweep, scallop_mm, MOST_RIDGES);
     let (first, last) = outer_turns(sweep);
     let inner = inner && last >= first + 3;
-    let counts = |row: usize| !inner || (sweep.turns[row] > first && sweep.turns[row] + 1 < last);
+    let is_inner = |row: usize| !inner || (sweep.turns[row] > first && sweep.turns[row] + 1 < last);
+    let counts = |row: usize| sweep.touches(row) && is_inner(row);
     let rows = (0..n).step_by(ridges.every).filter(|row| counts(*row));
     sort(parallel::filter_map(rows, |row| ridges.at(row, sweep.turns[row] + 1)))
 }

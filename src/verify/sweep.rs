@@ -4,6 +4,7 @@ use parry3d_f64::bounding_volume::Aabb as ParryAabb;
 use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 
+use crate::artifact::toolpath::CutterLocation;
 use crate::artifact::{Toolpath, Wheel};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
@@ -62,6 +63,16 @@ impl Sweep {
         Self::of(centres, contacts, turns, path.radius_mm, None)
     }
 
+    /// The same without its links: what is measured of the surface is what turns leave.
+    pub fn cutting(path: &Toolpath) -> Self {
+        let whole = Self::new(path);
+        if path.locations.iter().all(CutterLocation::touches) {
+            return whole;
+        }
+        let wanted = (0..whole.centres.len()).map(|row| whole.touches(row)).collect();
+        Self::of(whole.centres, whole.contacts, whole.turns, path.radius_mm, Some(wanted))
+    }
+
     /// Over moves from centre to centre, at least two of them; `wanted`: those that count, all
     /// where it is left out.
     pub fn of(
@@ -100,6 +111,13 @@ impl Sweep {
             let along_mm = (point + normal * self.radius_mm - wheel.origin).dot(&wheel.axis);
             (from_mm..=to_mm).contains(&along_mm) && wheel.is_hub(point, normal, by_facets)
         })
+    }
+
+    /// Whether the ball touches at both ends of the move that begins with a row: links are ways
+    /// through the air.
+    pub fn touches(&self, row: usize) -> bool {
+        let at = |k: usize| self.contacts.get(k).zip(self.centres.get(k)).is_none_or(|(p, c)| p != c);
+        at(row) && at(row + 1)
     }
 
     /// Whether move `i` counts.

@@ -139,6 +139,9 @@ fn contacts(plan: &Plan, blade: &Blade, tool: &Tool) -> Check {
     };
     let off = |row: usize| {
         let l = &path.locations[row];
+        if !l.touches() {
+            return (l.normal.norm() - 1.0).abs();
+        }
         let along = (want(row) - l.contact).norm().max((l.normal.norm() - 1.0).abs());
         let near = blade.part.closest(&l.contact, path.stock_mm + FAR_MM);
         along.max(near.map_or(f64::MAX, |c| (c.distance_mm - path.stock_mm).abs()))

@@ -6,13 +6,15 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
 use super::super::forbidden::MOVE_TOLERANCES;
-use super::super::{ChannelOptions, Leans, part, plan};
+use super::super::{ChannelOptions, Leans, Surroundings, gaps, part, plan};
 use super::brute::cases;
-use super::world::{banana, ellipse, helix, least_margin, on_platform, tool};
+use super::location::open_options;
+use super::world::{banana, blade, ellipse, helix, least_margin, on_platform, tool};
 use crate::artifact::channel::Binding;
-use crate::artifact::{Cone, Cones, Toolpath};
+use crate::artifact::{Cone, Cones, Sweep, Toolpath};
 use crate::error::{Bound, ErrorKind, Infeasible};
-use crate::geometry::Vector;
+use crate::geometry::mesh::Mesh;
+use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
 
 #[test]
@@ -394,4 +396,44 @@ fn cones_may_change_along_the_path() {
             }
         }
     }
+}
+
+/// Two plates leave a cylinder an angle of 0.8° about one line. Cones about an axis oblique to them
+/// cut that line at other angles as they lean: from one location to the next by far more than is
+/// free. The way between is followed, and both ends are those of the closed form.
+#[test]
+fn a_gap_that_is_oblique_to_the_cones_is_followed() {
+    let plates = |off: f64| {
+        let mut mesh = Mesh::default();
+        for y in [-off, off] {
+            let n = mesh.points.len() as u32;
+            let corners = [[-20.0, -40.0], [20.0, -40.0], [20.0, 40.0], [-20.0, 40.0]];
+            mesh.points.extend(corners.map(|[x, z]| Point::new(x, y, z)));
+            mesh.triangles.extend([[n, n + 1, n + 2], [n, n + 2, n + 3]]);
+        }
+        blade(mesh)
+    };
+    let leans = [0.0, 0.2];
+    let oblique = |lean: f64| Cone::new(Vector::new(0.0, 1.0, 1.0), Vector::x(), lean).unwrap();
+    let few = helix(&ellipse(20.0, 8.0), 4.0, 60, 1, 6.0, 0.4).at(&[0, 1]);
+    let mut path = few.with_cones(Cones::along(leans.map(oblique).to_vec()));
+    for (k, l) in path.locations.iter_mut().enumerate() {
+        (l.centre, l.normal) = (Point::new(0.01 * k as f64, 0.0, 0.0), Vector::x());
+    }
+    let options = ChannelOptions { sweep: Sweep::Swing, ..open_options() };
+    let found = plan(&plates(4.3), &tool(4.0, 0.0), &path, &options, &Silent).unwrap();
+    let line = |lean: f64| -lean.tan().asin();
+    for (row, lean) in found.rows.iter().zip(leans) {
+        let at = line(lean);
+        assert!((row.theta_min..=row.theta_max).contains(&at), "{row:?} {at}");
+        assert!(row.theta_max - row.theta_min < 0.02, "{row:?}");
+    }
+    // What is free at the ends has nothing in common, and less than a hundredth is between walls.
+    assert!(found.rows[0].theta_min > found.rows[1].theta_max + 0.15);
+    // Where plates take the line itself, every place is a gap.
+    let shut = plates(4.1);
+    let e = plan(&shut, &tool(4.0, 0.0), &path, &options, &Silent).unwrap_err();
+    assert_eq!(e.kind, ErrorKind::Infeasible, "{e}");
+    let around = Surroundings::new(&shut, &[], 4.0).unwrap();
+    assert_eq!(gaps(&around, &tool(4.0, 0.0), &path, &options, &Silent).unwrap(), [0, 1]);
 }
