@@ -93,6 +93,9 @@ use profile::ToolProfile;
 use samples::Sample;
 use tree::SphereTree;
 
+/// The free intervals of each place.
+type Layers = Vec<Vec<Free>>;
+
 /// Everything that is in the tool's way, indexed once for a tool's radius: channels for several
 /// tools, angles or paths follow.
 pub struct Surroundings<'a> {
@@ -488,8 +491,8 @@ fn joined(
     path: &Toolpath,
     mut samples: Vec<Sample>,
     (least, sweep): (f64, crate::artifact::Sweep),
-    free_at: &dyn Fn(&[Sample]) -> Result<Vec<Vec<Free>>>,
-) -> Result<(Vec<Sample>, Vec<Vec<Free>>)> {
+    free_at: &dyn Fn(&[Sample]) -> Result<Layers>,
+) -> Result<(Vec<Sample>, Layers)> {
     let mut layers = free_at(&samples)?;
     for _ in 0..MOST_HALVINGS {
         let is_apart = |k: &usize| {
