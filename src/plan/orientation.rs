@@ -395,7 +395,7 @@ fn curve(
     let path = path.clone().with_cones(cones);
     let options = ChannelOptions { theta_limits_rad: Some(limits_rad), ..setup.channel_options() };
     let walls = channel_or_gaps(setup, &path, &options, gaps, observer)?;
-    let options = ScheduleOptions::default().with(|s| {
+    let options = ScheduleOptions { unproven: true, ..ScheduleOptions::default() }.with(|s| {
         s.measure = Measure::SquareSecond;
         s.margin_deg = KEEP_DEG;
     });

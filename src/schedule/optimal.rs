@@ -70,7 +70,7 @@ pub(super) fn plan(
             f.weights.iter().map(|y| either_sign(measure, &walls, y)).fold(0.0, f64::max)
         })
     };
-    if kind == ScheduleKind::Time {
+    if kind == ScheduleKind::Time || options.unproven {
         return Ok(out);
     }
     let value = match options.settings.measure {

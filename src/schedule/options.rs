@@ -25,6 +25,9 @@ pub struct ScheduleOptions {
     /// What the rotary axis can follow at the programmed feed: kind `time` needs it, `piecewise`
     /// chooses by it.
     pub pace: Option<Pace>,
+    /// No bound is proven of what any schedule could reach: for curves of which the shape alone
+    /// counts.
+    pub unproven: bool,
 }
 
 /// What the rotary axis can follow at full feed.

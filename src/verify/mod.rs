@@ -162,7 +162,7 @@ pub fn check_among(
     report.checks.extend(cuts::check_obstacles(blade, obstacles, &way, options));
     step(1)?;
     if tool.is_ball() {
-        let cutting = sweep::Sweep::cutting(&plan.toolpath).over_hub(hub_of);
+        let cutting = sweep::Sweep::cutting(&plan.toolpath).over_hub(hub_of).round(blade);
         if let Some(doubt) = scallop::check(&plan, blade, &part, &cutting, options, &mut report) {
             observer.warn(Warning { stage: Stage::Verify, doubt });
         }
@@ -244,7 +244,7 @@ pub fn on_other_blade(
 pub fn places(plan: &Plan, blade: &Blade, tool: &Tool, options: &VerifyOptions, report: &mut CheckReport) {
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
     let hub_of = options.asked.as_ref().and_then(|a| a.hub_of);
-    let sweep = sweep::Sweep::cutting(&plan.toolpath).over_hub(hub_of);
+    let sweep = sweep::Sweep::cutting(&plan.toolpath).over_hub(hub_of).round(blade);
     if tool.is_ball() {
         scallop::measure(&part, &sweep, options, report);
     } else {

@@ -4,8 +4,9 @@ use parry3d_f64::bounding_volume::Aabb as ParryAabb;
 use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 
+use crate::artifact::along::Along;
 use crate::artifact::toolpath::CutterLocation;
-use crate::artifact::{Toolpath, Wheel};
+use crate::artifact::{Blade, Toolpath, Wheel};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 
@@ -29,7 +30,14 @@ pub(super) struct Sweep {
     /// The wheel over whose hub the path goes, and from where to where the centres go along its
     /// axis, mm; `None`: the path goes round a blade.
     hub: Option<(Wheel, [f64; 2])>,
+    /// What is high on the blade, where that is over a hub that turns.
+    over: Option<Along>,
 }
+
+/// A place so low over a hub that turns, mm, with a normal that leans so little off that of the
+/// hub, rad, is on it. In a fillet only the foot is.
+const ON_HUB_MM: f64 = 0.05;
+const ON_HUB_RAD: f64 = 0.1;
 
 /// A contact that moves this many times as far as its ball centre has jumped: a ball that fits so
 /// closely into a concave place (within a tenth of its radius) is hardly ever met.
@@ -90,7 +98,7 @@ impl Sweep {
             (leaf, ParryAabb::new(ParryVector::new(lo.x, lo.y, lo.z), ParryVector::new(hi.x, hi.y, hi.z)))
         });
         let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes);
-        Sweep { centres, contacts, turns, radius_mm, wanted, leaves, tree, hub: None }
+        Sweep { centres, contacts, turns, radius_mm, wanted, leaves, tree, hub: None, over: None }
     }
 
     /// The same over the hub of a wheel, where there is one: what else the ball comes near to is
@@ -104,9 +112,21 @@ impl Sweep {
         Sweep { hub, ..self }
     }
 
+    /// The same round a blade. Where that stands on a hub that turns, the hub beside it is not to
+    /// be machined.
+    pub fn round(self, blade: &Blade) -> Self {
+        let own = blade.regions.list.first().map(|region| region.along);
+        Sweep { over: own.filter(|along| along.round().is_some()), ..self }
+    }
+
     /// Whether a place with this normal is of the surface that the path is to machine; of a hub,
     /// whether it is within the rows, which begin and end at places along the rotor axis.
     pub fn is_for(&self, point: &Point, normal: &Vector, by_facets: bool) -> bool {
+        let on_hub =
+            |along: &Along| along.height_mm(point) < ON_HUB_MM && normal.angle(along.frame(point).up()) < ON_HUB_RAD;
+        if self.over.as_ref().is_some_and(on_hub) {
+            return false;
+        }
         self.hub.is_none_or(|(wheel, [from_mm, to_mm])| {
             let along_mm = (point + normal * self.radius_mm - wheel.origin).dot(&wheel.axis);
             (from_mm..=to_mm).contains(&along_mm) && wheel.is_hub(point, normal, by_facets)
@@ -286,10 +306,34 @@ fn lesser(a: Option<f64>, b: Option<f64>) -> Option<f64> {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::artifact::meridian::Meridian;
     use proptest::prelude::*;
 
     fn vector() -> impl Strategy<Value = Vector> {
         [-3.0..3.0f64, -3.0..3.0f64, -3.0..3.0f64].prop_map(Vector::from)
+    }
+
+    /// The hub beside a blade is not the blade's surface, a fillet on it is, and of a blade whose
+    /// heights are straight all is.
+    #[test]
+    fn the_hub_that_turns_is_not_the_blades() {
+        let contour = |side: usize| -> Vec<[f64; 2]> {
+            (0..=40).map(|k| crate::sample::impeller_contour(side, f64::from(k) / 40.0)).collect()
+        };
+        let meridian = Meridian::new(Vector::z(), Point::origin(), &contour(0), &contour(1)).unwrap();
+        let (straight, _) = crate::sample::plates(12, 2.0);
+        let mut over = straight.clone();
+        over.regions.list[0].along = Along::over_hub(meridian);
+        let path = crate::sample::plan(1, 12).toolpath;
+        let sweep = |blade: &Blade| Sweep::cutting(&path).round(blade);
+        for share in [0.1, 0.5, 0.9] {
+            let [on, above] = [0.0, 0.5].map(|h| meridian.point(share, h, &Vector::x(), 0.3));
+            let [up, aside] = [Along::over_hub(meridian).frame(&on)].map(|f| [*f.up(), f.vector(0.0, [1.0, 0.0])])[0];
+            let leaning = (up + aside * 0.3).normalize();
+            assert!(!sweep(&over).is_for(&on, &up, false), "{share}");
+            assert!(sweep(&over).is_for(&on, &leaning, false) && sweep(&over).is_for(&above, &up, false), "{share}");
+            assert!(sweep(&over).is_for(&above, &aside, false) && sweep(&straight).is_for(&on, &up, false));
+        }
     }
 
     /// A wall 0.3 mm thick, milled on one side by a ball of radius 0.5: on the other side nothing
