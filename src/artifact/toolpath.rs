@@ -316,9 +316,17 @@ impl Toolpath {
         (self.of_rows(locations), origin)
     }
 
+    /// The ball leaves the part somewhere on the way.
+    pub fn has_links(&self) -> bool {
+        !self.locations.iter().all(CutterLocation::touches)
+    }
+
     /// The path without its links.
     #[must_use]
     pub fn without_links(&self) -> Self {
+        if !self.has_links() {
+            return self.clone();
+        }
         let mut locations: Vec<CutterLocation> = Vec::with_capacity(self.locations.len());
         let mut comes_back = false;
         for l in &self.locations {
@@ -328,7 +336,7 @@ impl Toolpath {
             }
             comes_back = !l.touches();
         }
-        if locations.len() == self.locations.len() { self.clone() } else { self.of_rows(locations) }
+        self.of_rows(locations)
     }
 
     /// The path with other locations of the same turns: arc lengths are measured anew.

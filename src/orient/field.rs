@@ -113,7 +113,7 @@ impl DirectionGrid {
 pub type FreeCells = Vec<bool>;
 
 /// Share of a free interval that is kept either side where it is narrow.
-const NARROW: f64 = 0.3;
+pub const NARROW: f64 = 0.3;
 
 /// Which directions of the grid stand for the free intervals of its latitudes, longitudes in rad:
 /// those inside by `margin_rad`, or by a share of the width; where none is, the nearest to the

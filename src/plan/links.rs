@@ -23,8 +23,6 @@ const STEP_RAD: f64 = 0.035;
 const ROOM_MM: f64 = 0.5;
 /// Angles either side that are free on the turn, rad: what the smooth curves may be off the way.
 const ROOM_RAD: f64 = 0.05;
-/// Share of a free interval that is kept either side where it is narrow.
-const NARROW: f64 = 0.3;
 /// Heights are tried up to so many times the greatest length of the part.
 const HIGHEST: f64 = 4.0;
 /// How often the way between a height with room and one without is halved.
@@ -108,7 +106,7 @@ fn free_ends(
     let mut out = ends;
     for (end, layer) in out.iter_mut().zip(&free) {
         let inside = |f: &channel::FreeInterval| {
-            let room = ROOM_RAD.min(NARROW * (f.theta_max - f.theta_min));
+            let room = ROOM_RAD.min(orient::NARROW * (f.theta_max - f.theta_min));
             let near = nearest_turn(end[0], 0.5 * (f.theta_min + f.theta_max));
             end[0] + (near.clamp(f.theta_min + room, f.theta_max - room) - near)
         };

@@ -141,14 +141,13 @@ fn five_axis(
         if error.kind != ErrorKind::Infeasible || !(of_axes || links) {
             return Err(error);
         }
-        let without_gaps = links && (tried >= PATIENCE || !of_axes) && search.close_gaps(path, &rows);
         let mut more: Vec<usize> = rows.iter().flat_map(|row| closer(&search.stations, *row)).collect();
         more.sort_unstable();
         more.dedup();
-        if without_gaps {
+        let enough = tried >= PATIENCE || !of_axes || more.is_empty();
+        if links && enough && search.close_gaps(path, &rows) {
             more.clear();
-        }
-        if more.is_empty() && !without_gaps && !(links && search.close_gaps(path, &rows)) {
+        } else if more.is_empty() {
             return Err(error);
         }
         if !more.is_empty() {

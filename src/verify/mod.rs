@@ -153,7 +153,7 @@ pub fn check_among(
     step(0)?;
     let part = Allowed::new(&blade.part, plan.toolpath.stock_mm);
     let hub_of = options.asked.as_ref().and_then(|a| a.hub_of);
-    let (sweep, stands) = (sweep::Sweep::new(&plan.toolpath).over_hub(hub_of), plan.stands());
+    let (sweep, stands) = (sweep::Sweep::new(&plan.toolpath).over_hub(hub_of).round(blade), plan.stands());
     let way = EndWay::new(tool, &sweep, &stands);
     let check = cuts::check(blade, &part, &way, options);
     // What is reported is what was proven, not the best that was measured.
@@ -162,8 +162,10 @@ pub fn check_among(
     report.checks.extend(cuts::check_obstacles(blade, obstacles, &way, options));
     step(1)?;
     if tool.is_ball() {
-        let cutting = sweep::Sweep::cutting(&plan.toolpath).over_hub(hub_of).round(blade);
-        if let Some(doubt) = scallop::check(&plan, blade, &part, &cutting, options, &mut report) {
+        let cutting = || sweep::Sweep::cutting(&plan.toolpath).over_hub(hub_of).round(blade);
+        let cutting = plan.toolpath.has_links().then(cutting);
+        let cutting = cutting.as_ref().unwrap_or(&sweep);
+        if let Some(doubt) = scallop::check(&plan, blade, &part, cutting, options, &mut report) {
             observer.warn(Warning { stage: Stage::Verify, doubt });
         }
     } else {

@@ -5,7 +5,6 @@ use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 
 use crate::artifact::along::Along;
-use crate::artifact::toolpath::CutterLocation;
 use crate::artifact::{Blade, Toolpath, Wheel};
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
@@ -74,7 +73,7 @@ impl Sweep {
     /// The same without its links: what is measured of the surface is what turns leave.
     pub fn cutting(path: &Toolpath) -> Self {
         let whole = Self::new(path);
-        if path.locations.iter().all(CutterLocation::touches) {
+        if !path.has_links() {
             return whole;
         }
         let wanted = (0..whole.centres.len()).map(|row| whole.touches(row)).collect();

@@ -428,7 +428,7 @@ fn a_gap_that_is_oblique_to_the_cones_is_followed() {
         assert!((row.theta_min..=row.theta_max).contains(&at), "{row:?} {at}");
         assert!(row.theta_max - row.theta_min < 0.02, "{row:?}");
     }
-    // What is free at the ends has nothing in common, and less than a hundredth is between walls.
+    // What is free at the ends has nothing in common.
     assert!(found.rows[0].theta_min > found.rows[1].theta_max + 0.15);
     // Where plates take the line itself, every place is a gap.
     let shut = plates(4.1);
