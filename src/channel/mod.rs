@@ -282,39 +282,6 @@ pub fn intervals(
     Ok(layers.iter().map(|layer| layer.iter().map(named).collect()).collect())
 }
 
-/// Every location at which free angles do not join on to those before it, as [`plan`] looks at them
-/// before moves: where none is free, or where those that are free have nothing in common with any
-/// to which a chain has led since the last such location. Where there is none of these, every
-/// location at which straight walls leave nothing.
-///
-/// # Errors
-/// As [`intervals`].
-pub fn gaps(
-    surroundings: &Surroundings,
-    tool: &Tool,
-    path: &Toolpath,
-    options: &ChannelOptions,
-    observer: &dyn Observer,
-) -> Result<Vec<usize>> {
-    check_input(tool, path, options)?;
-    let for_search = surroundings.for_search(options);
-    let scene = surroundings.scene(tool, &for_search);
-    let free_at = |samples: &[Sample]| surroundings.layers(tool, &scene, (samples, path), observer);
-    let least = least_overlap(options);
-    let (samples, layers) = joined(path, samples_of(tool, path, options), (least, options.sweep), &free_at)?;
-    let mut rows: Vec<usize> = chain::gaps(&layers, least).into_iter().map(|k| samples[k].row).collect();
-    rows.dedup();
-    // Where a chain leads on, straight walls may still leave nothing between them.
-    if rows.is_empty()
-        && let Ok(chain) = chain::widest(&layers, least)
-    {
-        let chosen: Vec<Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, k)| l.get(*k).copied()).collect();
-        let walls = walls::rows(&samples, &chosen, &scene);
-        rows.extend((0..walls.len()).filter(|k| walls[*k].theta_min > walls[*k].theta_max));
-    }
-    Ok(rows)
-}
-
 /// What free angles of neighbouring places have to have in common, rad.
 fn least_overlap(options: &ChannelOptions) -> f64 {
     2.0 * options.settings.tolerance_deg.to_radians()
@@ -366,7 +333,25 @@ pub fn plan_among(
     options: &ChannelOptions,
     observer: &dyn Observer,
 ) -> Result<Channel> {
-    plan_with(surroundings, None, tool, path, options, observer)
+    plan_with(surroundings, (None, &mut Vec::new()), tool, path, options, observer)
+}
+
+/// As [`plan_among`]; where there is no channel, `closes` gets every location at which it closes:
+/// where no angle is free, or where those that are free have nothing in common with any to which a
+/// chain has led since the last such location. Where there is none of these, every location at
+/// which straight walls leave nothing.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_or_gaps(
+    surroundings: &Surroundings,
+    tool: &Tool,
+    path: &Toolpath,
+    options: &ChannelOptions,
+    closes: &mut Vec<usize>,
+    observer: &dyn Observer,
+) -> Result<Channel> {
+    plan_with(surroundings, (None, closes), tool, path, options, observer)
 }
 
 /// A finer index, made where it is asked for.
@@ -387,12 +372,12 @@ pub fn plan_among_finer(
     observer: &dyn Observer,
 ) -> Result<Channel> {
     tool.ball_only("channels are made by two indices")?;
-    plan_with(surroundings, Some(finer), tool, path, options, observer)
+    plan_with(surroundings, (Some(finer), &mut Vec::new()), tool, path, options, observer)
 }
 
 fn plan_with(
     surroundings: &Surroundings,
-    finer: Option<FinerIndex>,
+    (finer, closes): (Option<FinerIndex>, &mut Vec<usize>),
     tool: &Tool,
     path: &Toolpath,
     options: &ChannelOptions,
@@ -420,8 +405,11 @@ fn plan_with(
             widened(&mut layers, &scene, &finer()?.scene(tool, &for_search), (&asked, &samples), observer)?;
             asked.iter().for_each(|k| by_finer[*k] = true);
         }
-        let chain = chain::widest(&layers, least)
-            .map_err(|c| surroundings.closed(tool, options, (&reporter, &layers), c.at))?;
+        let chain = chain::widest(&layers, least).map_err(|c| {
+            closes.extend(chain::gaps(&layers, least).into_iter().map(|k| samples[k].row));
+            closes.dedup();
+            surroundings.closed(tool, options, (&reporter, &layers), c.at)
+        })?;
         let chosen: Vec<&Free> = layers.iter().zip(&chain.chosen).filter_map(|(l, &k)| l.get(k)).collect();
         let mut lifts = Vec::new();
         if options.settings.prove_moves || !options.prove_at.is_empty() {
@@ -432,6 +420,7 @@ fn plan_with(
         }
         let mut rows = walls::rows(&samples, &moves::moved_in(&chosen, &lifts), &scene);
         if let Some(row) = rows.iter().position(|r| r.theta_min > r.theta_max) {
+            closes.extend((0..rows.len()).filter(|k| rows[*k].theta_min > rows[*k].theta_max));
             let i = samples.iter().position(|s| s.row == row).unwrap_or(0).min(chosen.len().saturating_sub(2));
             return Err(reporter.closed_between(chosen[i], chosen[i + 1], i));
         }
@@ -465,6 +454,52 @@ fn plan_with(
         chains: count,
         proven_at: options.prove_at.clone(),
     })
+}
+
+/// A channel with the moves of [`ChannelOptions::prove_at`] proven too, and its walls there moved
+/// in. All other walls stay: what is known of the channel is not looked for again. `None` where
+/// walls that hold for the moves leave nothing.
+///
+/// # Errors
+/// Kind `Usage` for impossible options or tool; `Cancelled`.
+pub fn proven(
+    surroundings: &Surroundings,
+    tool: &Tool,
+    (path, channel): (&Toolpath, &Channel),
+    options: &ChannelOptions,
+    observer: &dyn Observer,
+) -> Result<Option<Channel>> {
+    check_input(tool, path, options)?;
+    let for_search = surroundings.for_search(options);
+    let scene = surroundings.scene(tool, &for_search);
+    let samples = samples_of(tool, path, options);
+    let one = |row: &usize| {
+        let of_move = samples.partition_point(|s| s.row < *row)..=samples.partition_point(|s| s.row <= *row);
+        let places = samples.get(of_move).unwrap_or_default().to_vec();
+        let free_at = |places: &[Sample]| surroundings.layers(tool, &scene, (places, path), observer);
+        let (places, layers) = joined(path, places, (least_overlap(options), options.sweep), &free_at)?;
+        let within = |(place, layer): (&Sample, &Vec<Free>)| walls::within(&channel.rows, place, layer);
+        let chosen: Vec<Free> = places.iter().zip(&layers).map_while(within).collect();
+        if chosen.len() < places.len() {
+            return Ok(None);
+        }
+        let chosen: Vec<&Free> = chosen.iter().collect();
+        let lifts = moves::lifts(&scene, &places, &chosen, |_| true, observer)?.ok();
+        Ok(lifts.map(|lifts| (moves::moved_in(&chosen, &lifts), places)))
+    };
+    let Some(moved) = parallel::try_map(&options.prove_at, one)?.into_iter().collect::<Option<Vec<_>>>() else {
+        return Ok(None);
+    };
+    let mut rows = channel.rows.clone();
+    for (walls, places) in &moved {
+        walls::narrow(&mut rows, (places, walls), &scene);
+    }
+    let mut proven_at = [&channel.proven_at[..], &options.prove_at].concat();
+    proven_at.sort_unstable();
+    proven_at.dedup();
+    let leaves_room = rows.iter().all(|r| r.theta_min <= r.theta_max);
+    let narrowest_row = walls::hulls(&mut rows, options.sweep).ok().filter(|_| leaves_room);
+    Ok(narrowest_row.map(|narrowest_row| Channel { rows, narrowest_row, proven_at, ..channel.clone() }))
 }
 
 /// The channel of a part of its path: of the rows from one to another.

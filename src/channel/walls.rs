@@ -46,27 +46,119 @@ pub(super) fn binding(by: Witness, scene: &ObstacleScene) -> Binding {
 }
 
 /// One row per location; places between two locations narrow both rows, as far as the straight wall
-/// between them would be outside there.
+/// between them would be outside there. Where nothing is left between walls that are moved in alike
+/// at both rows, they are turned.
 pub(super) fn rows(samples: &[Sample], walls: &[Free], scene: &ObstacleScene) -> Vec<ChannelRow> {
     let at_locations = samples.iter().zip(walls).filter(|(s, _)| s.fraction == 0.0);
-    let mut rows: Vec<ChannelRow> = at_locations.map(|(_, f)| row_of(f, scene)).collect();
-    for (s, f) in samples.iter().zip(walls).filter(|(s, _)| s.fraction > 0.0) {
-        let Some([a, b]) = rows.get_mut(s.row..s.row + 2) else { continue };
-        let at = |x: f64, y: f64| x + s.fraction * (y - x);
-        let rise = f.lo - at(a.theta_min, b.theta_min);
-        let fall = at(a.theta_max, b.theta_max) - f.hi;
-        for row in [a, b] {
-            if rise > 0.0 {
-                row.theta_min += rise;
-                row.binds_min = binding(f.lo_by, scene);
-            }
-            if fall > 0.0 {
-                row.theta_max -= fall;
-                row.binds_max = binding(f.hi_by, scene);
-            }
+    let of_locations: Vec<ChannelRow> = at_locations.map(|(_, f)| row_of(f, scene)).collect();
+    let mut rows = of_locations.clone();
+    narrow(&mut rows, (samples, walls), scene);
+    let cross = |row: &ChannelRow| row.theta_min > row.theta_max;
+    if !rows.iter().any(cross) {
+        return rows;
+    }
+    let moved_in = std::mem::replace(&mut rows, of_locations);
+    let mut from = 0;
+    for places in samples.chunk_by(|a, b| a.row == b.row) {
+        let walls = &walls[from..from + places.len()];
+        from += places.len();
+        let (row, last) = (places[0].row, moved_in.len() - 1);
+        match moved_in[row..=(row + 1).min(last)].iter().any(cross) {
+            true => turn(&mut rows, (places, walls), scene),
+            false => narrow(&mut rows, (places, walls), scene),
         }
     }
     rows
+}
+
+/// As [`narrow`] for the places of one move, by [`turned`].
+fn turn(rows: &mut [ChannelRow], (places, walls): (&[Sample], &[Free]), scene: &ObstacleScene) {
+    let between: Vec<(f64, &Free)> =
+        places.iter().map(|p| p.fraction).zip(walls).filter(|(share, _)| *share > 0.0).collect();
+    let Some(first) = places.first().map(|p| p.row).filter(|_| !between.is_empty()) else { return };
+    let Some([a, b]) = rows.get_mut(first..first + 2) else { return };
+    let inside: Vec<(f64, [f64; 2])> = between.iter().map(|(share, f)| (*share, [f.lo, f.hi])).collect();
+    let moved = turned(&inside, [[a.theta_min, a.theta_max], [b.theta_min, b.theta_max]]);
+    let farthest = |by: &dyn Fn(&Free) -> f64| between.iter().map(|(_, f)| *f).max_by(|p, q| by(p).total_cmp(&by(q)));
+    let by = [farthest(&|f| f.lo).map(|f| f.lo_by), farthest(&|f| -f.hi).map(|f| f.hi_by)];
+    let [lo_by, hi_by] = by.map(|by| by.map_or(Binding::Free, |by| binding(by, scene)));
+    for (row, [lo, hi]) in [a, b].into_iter().zip(moved) {
+        if lo > row.theta_min {
+            (row.theta_min, row.binds_min) = (lo, lo_by.clone());
+        }
+        if hi < row.theta_max {
+            (row.theta_max, row.binds_max) = (hi, hi_by.clone());
+        }
+    }
+}
+
+/// The walls (lower, upper) at both ends of a move, moved in until they are straight within the
+/// walls at shares of the way. A wall is moved in alike at both ends, at either alone, or to one
+/// angle at both; taken is what leaves most room at the narrower end.
+fn turned(between: &[(f64, [f64; 2])], [a, b]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    // With a sense of -1 the upper wall is a lower one.
+    let ways = |side: usize, sense: f64| -> [[f64; 2]; 4] {
+        let (at_a, at_b) = (sense * a[side], sense * b[side]);
+        let (mut both, mut one, mut level) = (0.0f64, [0.0f64; 2], at_a.max(at_b));
+        for (share, walls) in between {
+            let wall = sense * walls[side];
+            let short = wall - (at_a + share * (at_b - at_a));
+            both = both.max(short);
+            one = [one[0].max(short / (1.0 - share)), one[1].max(short / share)];
+            level = level.max(wall);
+        }
+        let all = [[at_a + both, at_b + both], [at_a + one[0], at_b], [at_a, at_b + one[1]], [level; 2]];
+        all.map(|wall| wall.map(|v| sense * v))
+    };
+    let (mut best, mut most) = ([a, b], f64::NEG_INFINITY);
+    for lo in ways(0, 1.0) {
+        for hi in ways(1, -1.0) {
+            let room = (hi[0] - lo[0]).min(hi[1] - lo[1]);
+            if room > most {
+                (best, most) = ([[lo[0], hi[0]], [lo[1], hi[1]]], room);
+            }
+        }
+    }
+    best
+}
+
+/// Narrows rows to the walls at places on their moves, as far as their straight walls are outside
+/// there.
+pub(super) fn narrow(rows: &mut [ChannelRow], (samples, walls): (&[Sample], &[Free]), scene: &ObstacleScene) {
+    // Locations first: a place between two is then measured on walls that hold at both.
+    for between in [false, true] {
+        for (s, f) in samples.iter().zip(walls).filter(|(s, _)| (s.fraction > 0.0) == between) {
+            let last = if between { s.row + 1 } else { s.row };
+            let Some(beside) = rows.get_mut(s.row..=last) else { continue };
+            let [lo, hi] = straight(beside, s.fraction);
+            let (rise, fall) = (f.lo - lo, hi - f.hi);
+            for row in beside {
+                if rise > 0.0 {
+                    row.theta_min += rise;
+                    row.binds_min = binding(f.lo_by, scene);
+                }
+                if fall > 0.0 {
+                    row.theta_max -= fall;
+                    row.binds_max = binding(f.hi_by, scene);
+                }
+            }
+        }
+    }
+}
+
+/// The straight walls at a share of the way from the first of some rows to the last, rad.
+fn straight(rows: &[ChannelRow], share: f64) -> [f64; 2] {
+    let (Some(a), Some(b)) = (rows.first(), rows.last()) else { return [f64::NEG_INFINITY, f64::INFINITY] };
+    let at = |x: f64, y: f64| x + share * (y - x);
+    [at(a.theta_min, b.theta_min), at(a.theta_max, b.theta_max)]
+}
+
+/// What is free at a place of a channel: the interval that has most in common with its walls there.
+pub(super) fn within(rows: &[ChannelRow], place: &Sample, layer: &[Free]) -> Option<Free> {
+    let last = if place.fraction > 0.0 { place.row + 1 } else { place.row };
+    let [lo, hi] = straight(rows.get(place.row..=last)?, place.fraction);
+    let common = |f: &Free| f.hi.min(hi) - f.lo.max(lo);
+    layer.iter().max_by(|a, b| common(a).total_cmp(&common(b))).filter(|f| common(f) >= 0.0).copied()
 }
 
 fn row_of(f: &Free, scene: &ObstacleScene) -> ChannelRow {
@@ -137,6 +229,39 @@ pub(super) fn hulls(rows: &mut [ChannelRow], sweep: Sweep) -> Result<usize, Cros
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Moved walls lie inside those that there were, and are straight inside all that is asked
+        /// for between; no less room is left than by walls that stand at one angle.
+        #[test]
+        fn turned_walls_are_inside_all_of_them(
+            ends in prop::array::uniform2((-2.0..0.5f64, 0.5..3.0f64)),
+            between in prop::collection::vec((0.01..0.99f64, -2.0..1.0f64, 1.0..3.0f64), 1..5),
+        ) {
+            let ends = ends.map(|(lo, hi)| [lo, hi]);
+            let between: Vec<(f64, [f64; 2])> = between.into_iter().map(|(share, lo, hi)| (share, [lo, hi])).collect();
+            let [a, b] = turned(&between, ends);
+            for (end, was) in [a, b].iter().zip(&ends) {
+                prop_assert!(end[0] >= was[0] - 1e-12 && end[1] <= was[1] + 1e-12);
+            }
+            for (share, walls) in &between {
+                let at = |side: usize| a[side] + share * (b[side] - a[side]);
+                prop_assert!(at(0) >= walls[0] - 1e-9 && at(1) <= walls[1] + 1e-9);
+            }
+            let all = || between.iter().map(|(_, walls)| *walls).chain(ends);
+            let level = all().map(|w| w[1]).fold(f64::INFINITY, f64::min) - all().map(|w| w[0]).fold(f64::NEG_INFINITY, f64::max);
+            prop_assert!((a[1] - a[0]).min(b[1] - b[0]) >= level - 1e-12);
+        }
+    }
+
+    /// Two wide intervals that have little in common, and a narrow one between: walls moved in
+    /// alike at both ends would cross.
+    #[test]
+    fn walls_turn_where_wide_intervals_meet_at_a_narrow_place() {
+        let ends = turned(&[(0.5, [11.0, 11.75])], [[-60.0, 12.0], [10.0, 87.0]]);
+        assert_eq!(ends, [[11.0, 11.75]; 2]);
+    }
 
     #[test]
     fn rows_whose_walls_cross_are_found() {

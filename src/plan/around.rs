@@ -3,7 +3,7 @@
 use super::Setup;
 use crate::artifact::channel::Width;
 use crate::artifact::{Channel, Plan, Toolpath};
-use crate::channel::{self, Leans, Surroundings};
+use crate::channel::{self, ChannelOptions, Leans, Surroundings};
 use crate::error::Result;
 use crate::observe::Observer;
 
@@ -55,10 +55,28 @@ impl Setup {
         exact_ends: bool,
         observer: &dyn Observer,
     ) -> Result<Channel> {
-        let options = channel::ChannelOptions { prove_at: prove_at.to_vec(), ..self.channel_options() }
-            .with(|s| s.exact_ends = exact_ends);
-        let around = if exact_ends { self.finer_surroundings()? } else { self.surroundings()? };
+        let (around, options) = self.proving(prove_at, exact_ends)?;
         channel::plan_among(&around, &self.job.tool, path, &options, observer)
+    }
+
+    /// A channel with the moves after these locations proven too, its other walls as they are;
+    /// `None` where that leaves nothing.
+    pub(super) fn channel_with_proven(
+        &self,
+        (path, channel): (&Toolpath, &Channel),
+        prove_at: &[usize],
+        exact_ends: bool,
+        observer: &dyn Observer,
+    ) -> Result<Option<Channel>> {
+        let (around, options) = self.proving(prove_at, exact_ends)?;
+        channel::proven(&around, &self.job.tool, (path, channel), &options, observer)
+    }
+
+    /// What moves are proven among, and how.
+    fn proving(&self, prove_at: &[usize], exact_ends: bool) -> Result<(Surroundings<'_>, ChannelOptions)> {
+        let options = ChannelOptions { prove_at: prove_at.to_vec(), ..self.channel_options() };
+        let around = if exact_ends { self.finer_surroundings()? } else { self.surroundings()? };
+        Ok((around, options.with(|s| s.exact_ends = exact_ends)))
     }
 
     /// The channel's width against B for a report.

@@ -41,11 +41,36 @@ impl Heights {
 /// A path with links, and what guides the tool axis along it.
 pub(super) struct Linked {
     pub path: Toolpath,
-    /// Stations of the new path, with a latitude at each, rad.
-    pub stations: Vec<usize>,
-    pub latitudes: Vec<f64>,
+    /// The latitude of the way at each row, rad.
+    pub latitude: Vec<f64>,
     /// For each row the row of the path without links that it is, or that its link leaves from.
     pub origin: Vec<usize>,
+}
+
+impl Linked {
+    /// The rows from one to another.
+    pub fn part(&self, [first, last]: [usize; 2]) -> Linked {
+        let rows: Vec<usize> = (first..=last).collect();
+        let mut path = self.path.at(&rows);
+        path.turns.retain(|turn| turn.count > 0);
+        Linked { path, latitude: self.latitude[first..=last].to_vec(), origin: self.origin[first..=last].to_vec() }
+    }
+
+    /// First and last rows of the stretches that reach so far to both sides of rows of the path
+    /// without links, mm.
+    pub fn about(&self, rows: &[usize], reach_mm: f64) -> Vec<[usize; 2]> {
+        let s = |row: usize| self.path.locations[row].s_mm;
+        let mut out: Vec<[usize; 2]> = Vec::new();
+        for row in (0..self.origin.len()).filter(|k| rows.contains(&self.origin[*k])) {
+            let first = self.path.locations.partition_point(|l| l.s_mm < s(row) - reach_mm);
+            let last = self.path.locations.partition_point(|l| l.s_mm <= s(row) + reach_mm) - 1;
+            match out.last_mut() {
+                Some(before) if first <= before[1] => before[1] = last,
+                _ => out.push([first, last]),
+            }
+        }
+        out
+    }
 }
 
 /// The path with a link at each station of the way that is left with another axis than it is
@@ -86,9 +111,10 @@ pub(super) fn linked(
     }
     let (path, origin) = path.with_links(&links);
     let first = |row: usize| origin.partition_point(|of| *of < row);
-    let stations = guides.iter().map(|(row, on, _)| first(*row) + on).collect();
-    let latitudes = guides.iter().map(|(.., latitude)| *latitude).collect();
-    Ok(Linked { path, stations, latitudes, origin })
+    let stations: Vec<usize> = guides.iter().map(|(row, on, _)| first(*row) + on).collect();
+    let latitudes: Vec<f64> = guides.iter().map(|(.., latitude)| *latitude).collect();
+    let latitude = orient::between_stations(&path, &stations, &latitudes);
+    Ok(Linked { path, latitude, origin })
 }
 
 /// The longitudes moved into what is free on their latitudes, rad: a cell that stands for a gap

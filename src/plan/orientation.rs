@@ -26,6 +26,9 @@ const MOST_RAD: [f64; 2] = [1.31, 1.75];
 const INSIDE: f64 = 0.5;
 /// How often the way is sought with more stations.
 const MOST_SEARCHES: usize = 40;
+/// Before all of the way is looked at again, so much of it either side of where it stopped, mm: the
+/// smooth curves there follow the walls near by.
+const ABOUT_MM: f64 = 40.0;
 /// From this search on narrow gaps at which a way stops are no longer looked into.
 const PATIENCE: usize = 3;
 /// Ends of arcs are found to this share of a cell.
@@ -126,7 +129,8 @@ fn five_axis(
     let stations = orient::stations(path, STATION_MM, STATION_RAD);
     let free = free_cells(setup, &grid, &path.at(&stations), around, observer)?;
     let closed = vec![false; stations.len()];
-    let mut search = Search { stations, free, closed, narrow: Vec::new(), heights: Heights::default() };
+    let (narrow, stopped, heights) = (Vec::new(), Vec::new(), Heights::default());
+    let mut search = Search { stations, free, closed, narrow, stopped, heights };
     for tried in 0..MOST_SEARCHES {
         let Stopped { error, rows } = match along_way(setup, path, (&grid, &mut search), around, observer) {
             Ok(found) => return Ok(found),
@@ -137,7 +141,6 @@ fn five_axis(
         // Where that does not help, or leaves a gap too narrow for a smooth schedule, no way leads
         // through gaps any more.
         let (links, of_axes) = (setup.job.orientation.links, is_of_axes(&error));
-        let rows = if of_axes { rows } else { search.narrow.clone() };
         if error.kind != ErrorKind::Infeasible || !(of_axes || links) {
             return Err(error);
         }
@@ -167,6 +170,8 @@ struct Search {
     closed: Vec<bool>,
     /// Rows at which the last way leads through such a gap.
     narrow: Vec<usize>,
+    /// Rows at which a way has stopped.
+    stopped: Vec<usize>,
     heights: Heights,
 }
 
@@ -217,10 +222,21 @@ impl Search {
     }
 }
 
-/// Why a way comes to nothing, and the locations of the path without links at which it stops.
+/// Why a way comes to nothing, and the locations of the path without links at which it stops: of
+/// one that leaves no smooth schedule, those at which it leads through narrow gaps.
 struct Stopped {
     error: Error,
     rows: Vec<usize>,
+}
+
+impl Stopped {
+    /// Two stretches of one way: the reason is the first's.
+    fn and(mut self, other: Stopped) -> Stopped {
+        self.rows.extend(other.rows);
+        self.rows.sort_unstable();
+        self.rows.dedup();
+        self
+    }
 }
 
 impl From<Error> for Stopped {
@@ -241,11 +257,11 @@ fn closer(stations: &[usize], row: usize) -> Vec<usize> {
 }
 
 /// The location at which a channel closes or no way goes on.
-fn stops_at(e: &Error) -> Option<usize> {
-    match e.infeasible.as_deref()? {
-        Infeasible::NoFreeAngle { at, .. } | Infeasible::ChannelCloses { at, .. } => Some(at.location),
-        Infeasible::ChannelClosesOnMove { after, .. } => Some(after.location),
-        Infeasible::NoToolAxis { at } => Some(at.location),
+fn stops_at(e: &mut Error) -> Option<&mut usize> {
+    match e.infeasible.as_deref_mut()? {
+        Infeasible::NoFreeAngle { at, .. } | Infeasible::ChannelCloses { at, .. } => Some(&mut at.location),
+        Infeasible::ChannelClosesOnMove { after, .. } => Some(&mut after.location),
+        Infeasible::NoToolAxis { at } => Some(&mut at.location),
         _ => None,
     }
 }
@@ -266,14 +282,38 @@ fn along_way(
     search.led(grid, &way);
     observer.check(Stage::Channel)?;
     let linked = links::linked(setup, path, grid, (&search.stations, &way), (around, &mut search.heights))?;
-    let mut closes = Vec::new();
-    along(setup, grid, &linked, (around, &mut closes), observer).map_err(|error| {
-        closes.extend(stops_at(&error));
-        let mut rows: Vec<usize> = closes.iter().filter_map(|row| linked.origin.get(*row).copied()).collect();
-        rows.sort_unstable();
-        rows.dedup();
-        Stopped { error, rows }
-    })
+    let narrow = &search.narrow;
+    let whole = |linked: &Linked, observer: &dyn Observer| {
+        let mut closes = Vec::new();
+        along(setup, grid, linked, (around, &mut closes), observer).map_err(|mut error| {
+            let is_narrow = |row: &usize| narrow.binary_search(row).is_ok();
+            let mut rows: Vec<usize> = match is_of_axes(&error) {
+                true => closes.iter().filter_map(|row| linked.origin.get(*row).copied()).collect(),
+                false => linked.origin.iter().copied().filter(is_narrow).collect(),
+            };
+            // Of the path that was asked for, without links.
+            if let Some(at) = stops_at(&mut error)
+                && let Some(origin) = linked.origin.get(*at)
+            {
+                *at = *origin;
+                rows.push(*at);
+            }
+            rows.sort_unstable();
+            rows.dedup();
+            Stopped { error, rows }
+        })
+    };
+    // All of it only where nothing stops it any more at the places that have.
+    let stretches = linked.about(&search.stopped, ABOUT_MM);
+    let short = parallel::map(&stretches, |rows| whole(&linked.part(*rows), &Silent).err());
+    let found = match short.into_iter().flatten().reduce(Stopped::and) {
+        Some(stopped) => Err(stopped),
+        None => whole(&linked, observer),
+    };
+    if let Err(stopped) = &found {
+        search.stopped.extend(&stopped.rows);
+    }
+    found
 }
 
 /// The path with smooth cones along its guides, and its channel. Where that closes, `closes` gets
@@ -286,16 +326,15 @@ fn along(
     observer: &dyn Observer,
 ) -> Result<(Toolpath, Channel)> {
     let path = &linked.path;
-    let latitude = orient::between_stations(path, &linked.stations, &linked.latitudes);
     // Longitude on the latitudes of the way, then latitude on the longitudes found.
     let parallels = |latitude: &[f64]| Cones::along(latitude.iter().map(|l| grid.parallel(*l)).collect());
     let most = [-MOST_RAD[1], MOST_RAD[1]];
-    let longitude = curve(setup, path, (parallels(&latitude), most), (around, closes), observer)?;
+    let longitude = curve(setup, path, (parallels(&linked.latitude), most), (around, closes), observer)?;
     let meridians: Vec<Cone> = longitude.iter().map(|l| grid.meridian(*l)).collect();
     let reach = latitudes(setup, grid);
     let latitude = curve(setup, path, (Cones::along(meridians), reach), (around, closes), observer)?;
     let path = path.clone().with_cones(parallels(&latitude));
-    let channel = channel_or_gaps(setup, &path, &setup.channel_options(), (around, closes), observer)?;
+    let channel = channel::plan_or_gaps(around, &setup.job.tool, &path, &setup.channel_options(), closes, observer)?;
     Ok((path, channel))
 }
 
@@ -315,19 +354,26 @@ fn free_cells(
     });
     let mut by_station: Vec<Vec<Vec<[f64; 2]>>> = vec![Vec::with_capacity(grid.latitudes.len()); few.locations.len()];
     let done = AtomicUsize::new(0);
-    let circle = |latitude: &f64| {
+    let reached = reached(setup, grid);
+    let circle = |(row, latitude): (usize, &f64)| {
         observer.check(Stage::Channel)?;
-        let circle = few.clone().with_cones(Cones::Same(grid.parallel(*latitude)));
-        let found = channel::intervals(around, &setup.job.tool, &circle, &options, &Silent)?;
+        // Where the machine reaches no longitude of a latitude, what is free there does not matter.
+        let of_latitude = reached.chunks(grid.longitudes.len()).nth(row).unwrap_or_default();
+        let found = match of_latitude.contains(&true) {
+            true => {
+                let circle = few.clone().with_cones(Cones::Same(grid.parallel(*latitude)));
+                channel::intervals(around, &setup.job.tool, &circle, &options, &Silent)?
+            }
+            false => vec![Vec::new(); few.locations.len()],
+        };
         observer.progress(Stage::Channel, done.fetch_add(1, Ordering::Relaxed) + 1, grid.latitudes.len());
         Ok(found)
     };
-    for found in parallel::try_map(&grid.latitudes, circle)? {
+    for found in parallel::try_map(grid.latitudes.iter().enumerate(), circle)? {
         for (station, free) in by_station.iter_mut().zip(found) {
             station.push(free.iter().map(|f| [f.theta_min, f.theta_max]).collect());
         }
     }
-    let reached = reached(setup, grid);
     let margin_rad = INSIDE * grid.step_rad();
     let within = |mut cells: orient::FreeCells| {
         cells.iter_mut().zip(&reached).for_each(|(c, r)| *c &= r);
@@ -388,32 +434,17 @@ fn curve(
     setup: &Setup,
     path: &Toolpath,
     (cones, limits_rad): (Cones, [f64; 2]),
-    gaps: (&Surroundings, &mut Vec<usize>),
+    (around, closes): (&Surroundings, &mut Vec<usize>),
     observer: &dyn Observer,
 ) -> Result<Vec<f64>> {
     let path = path.clone().with_cones(cones);
     let options = ChannelOptions { theta_limits_rad: Some(limits_rad), ..setup.channel_options() };
-    let walls = channel_or_gaps(setup, &path, &options, gaps, observer)?;
+    let walls = channel::plan_or_gaps(around, &setup.job.tool, &path, &options, closes, observer)?;
     let options = ScheduleOptions { unproven: true, ..ScheduleOptions::default() }.with(|s| {
         s.measure = Measure::SquareSecond;
         s.margin_deg = KEEP_DEG;
     });
     schedule::plan(ScheduleKind::Optimal, &path, &walls, &options, &Silent).map(|s| s.theta)
-}
-
-/// The channel along these cones; where it closes, every location at which it does.
-fn channel_or_gaps(
-    setup: &Setup,
-    path: &Toolpath,
-    options: &ChannelOptions,
-    (around, closes): (&Surroundings, &mut Vec<usize>),
-    observer: &dyn Observer,
-) -> Result<Channel> {
-    let planned = channel::plan_among(around, &setup.job.tool, path, options, observer);
-    if planned.as_ref().is_err_and(is_of_axes) {
-        *closes = channel::gaps(around, &setup.job.tool, path, options, observer)?;
-    }
-    planned
 }
 
 /// The error at a station to which no way leads.
@@ -447,8 +478,8 @@ mod tests {
         assert_eq!(closer(&stations, 80), [60]);
         assert_eq!(closer(&stations, 41), [41, 60]);
         assert!(closer(&[4, 5, 6], 5).is_empty());
-        assert_eq!(stops_at(&closes(60)), Some(60));
-        assert_eq!(stops_at(&Error::usage(Stage::Channel, "another")), None);
+        assert_eq!(stops_at(&mut closes(60)), Some(&mut 60));
+        assert_eq!(stops_at(&mut Error::usage(Stage::Channel, "another")), None);
         let mut all: Vec<usize> = stations.to_vec();
         loop {
             let more = closer(&all, 37);

@@ -1,6 +1,7 @@
 //! The planning stages, one after another.
 
 use super::leads::MotionAndLeads;
+use super::schedules::Candidate;
 use super::{Baseline, Setup, discs, even, leads, schedules, smoothing};
 use crate::artifact::region::Boundary;
 use crate::artifact::schedule::ScheduleKind;
@@ -14,8 +15,12 @@ use crate::path;
 use crate::schedule;
 use crate::verify;
 
-/// A schedule, with its motion where that is known.
-type Scheduled = (Schedule, Option<MotionAndLeads>);
+/// A schedule, with its motion where that is known, and which of several it is.
+struct Scheduled {
+    schedule: Schedule,
+    motion: Option<MotionAndLeads>,
+    which: Option<Candidate>,
+}
 
 /// How often walls are moved in for what happens between locations.
 const MOST_PROOFS: usize = 4;
@@ -78,13 +83,14 @@ pub(crate) fn stages(
         timed(observer, Stage::Schedule, || schedule::plan(ScheduleKind::Fixed, path, channel, &options, &Silent))
     };
     let mut fixed = baseline(&toolpath, &channel)?;
-    let (mut schedule, mut motion) = match known.schedule {
-        Some(s) => (s, known.motion),
+    let mut made = match known.schedule {
+        Some(schedule) => Scheduled { schedule, motion: known.motion, which: None },
         None => timed(observer, Stage::Schedule, || scheduled(setup, &toolpath, &channel, observer))?,
     };
-    if !schedule.kind.is_wall() && known_curve.is_none() && setup.job.tool.is_ball() {
-        keep_clear(setup, &toolpath, &mut channel, (&mut schedule, &mut motion), observer)?;
+    if !made.schedule.kind.is_wall() && known_curve.is_none() && setup.job.tool.is_ball() {
+        keep_clear(setup, &toolpath, &mut channel, &mut made, observer)?;
     }
+    let Scheduled { mut schedule, mut motion, .. } = made;
     if until == Some(Stage::Schedule) {
         let toolpath = discs::placed(&toolpath, &setup.job.tool, &schedule.theta).into_owned();
         return Ok(Reached::Schedule(Box::new((toolpath, channel, schedule))));
@@ -124,48 +130,65 @@ pub(crate) fn stages(
 
 /// The schedule of the job, and its motion where that was found along with it.
 fn scheduled(setup: &Setup, path: &Toolpath, channel: &Channel, observer: &dyn Observer) -> Result<Scheduled> {
-    match setup.job.schedule.kind {
+    let (schedule, motion, which) = match setup.job.schedule.kind {
         ScheduleKind::Time => {
-            schedules::least_time(setup, path, channel, observer).map(|(schedule, motion)| (schedule, Some(motion)))
+            let (schedule, motion, which) = schedules::least_time(setup, path, channel, observer)?;
+            (schedule, Some(motion), Some(which))
         }
         ScheduleKind::Even => {
-            even::even(setup, path, channel, observer).map(|(schedule, motion)| (schedule, Some(motion)))
+            let (schedule, motion) = even::even(setup, path, channel, observer)?;
+            (schedule, Some(motion), None)
         }
-        kind => Ok((schedule::plan(kind, path, channel, &setup.schedule_options(), observer)?, None)),
+        kind => (schedule::plan(kind, path, channel, &setup.schedule_options(), observer)?, None, None),
+    };
+    Ok(Scheduled { schedule, motion, which })
+}
+
+/// As [`scheduled`], in a channel that has changed a little: the same one of several, if it can be
+/// made again.
+fn scheduled_again(setup: &Setup, path: &Toolpath, channel: &Channel, which: Option<Candidate>) -> Result<Scheduled> {
+    match which.map(|which| schedules::again(setup, (path, channel), which, &Silent)) {
+        Some(Ok((schedule, motion))) => Ok(Scheduled { schedule, motion: Some(motion), which }),
+        _ => scheduled(setup, path, channel, &Silent),
     }
 }
 
 /// The channel's walls hold at the locations; between two of them the tool may come nearer for a
 /// moment. Where it does by the schedule, the walls of these moves are proven and moved in, and the
-/// schedule is made anew. If there is no channel or no schedule then, all stays as it was, and the
-/// checks report it.
+/// schedule is made anew. Where that leaves nothing, the channel by the exact faces may lie farther
+/// out. If there is no channel or no schedule then, all stays as it was, and the checks report it.
 fn keep_clear(
     setup: &Setup,
     path: &Toolpath,
     channel: &mut Channel,
-    (schedule, motion): (&mut Schedule, &mut Option<MotionAndLeads>),
+    made: &mut Scheduled,
     observer: &dyn Observer,
 ) -> Result<()> {
     let (verify, tool, mut rows) = (setup.verify_options(), &setup.job.tool, Vec::new());
     let apart = verify::apart(&setup.blade, &setup.obstacles, tool, &verify);
     for _ in 0..MOST_PROOFS {
         let short =
-            timed(observer, Stage::Channel, || Ok(verify::short_moves(path, &schedule.theta, &apart, &verify)))?;
+            timed(observer, Stage::Channel, || Ok(verify::short_moves(path, &made.schedule.theta, &apart, &verify)))?;
         if short.is_empty() {
             return Ok(());
         }
         rows.extend(short);
         rows.sort_unstable();
         rows.dedup();
-        let narrower = |exact_ends: bool| setup.channel_proven(path, &rows, exact_ends, &Silent);
-        let found =
-            timed(observer, Stage::Channel, || narrower(setup.job.channel.exact_ends).or_else(|_| narrower(true)));
-        let made = found.and_then(|c| {
-            let made = timed(observer, Stage::Schedule, || scheduled(setup, path, &c, &Silent))?;
-            Ok((c, made))
+        let found = timed(observer, Stage::Channel, || {
+            for exact_ends in [setup.job.channel.exact_ends, true] {
+                if let Some(channel) = setup.channel_with_proven((path, channel), &rows, exact_ends, &Silent)? {
+                    return Ok(channel);
+                }
+            }
+            setup.channel_proven(path, &rows, true, &Silent)
         });
-        match made {
-            Ok((c, made)) => (*channel, (*schedule, *motion)) = (c, made),
+        let anew = found.and_then(|c| {
+            let anew = timed(observer, Stage::Schedule, || scheduled_again(setup, path, &c, made.which))?;
+            Ok((c, anew))
+        });
+        match anew {
+            Ok(anew) => (*channel, *made) = anew,
             Err(e) if e.kind == ErrorKind::Infeasible => return Ok(()),
             Err(e) => return Err(e),
         }

@@ -32,35 +32,55 @@ pub(crate) fn keep_fastest<T>(made: &mut Vec<T>, time_s: impl Fn(&T) -> f64) {
     made.retain(|one| time_s(one) <= most_s);
 }
 
+/// Which of the schedules that are planned for the least time one is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Candidate {
+    /// That for the least time by the rotary axis alone. It stands still over so many times the
+    /// length in which the ball gains its feed.
+    Paced(f64),
+    /// Another that may be faster.
+    Rival(ScheduleKind, Measure),
+}
+
+impl Candidate {
+    /// Those beside the paced ones. With given ends the optimal ones alone: `fixed` and
+    /// `quaternion` are none, `piecewise` has less choice.
+    fn rivals(options: &ScheduleOptions) -> Vec<Candidate> {
+        let measure = options.settings.measure;
+        let optimal = [measure, Measure::SquareSecond].map(|m| Candidate::Rival(ScheduleKind::Optimal, m));
+        let published = [ScheduleKind::Piecewise, ScheduleKind::Quaternion, ScheduleKind::Fixed];
+        let published = published.map(|kind| Candidate::Rival(kind, measure));
+        optimal.into_iter().chain(published.into_iter().filter(|_| options.ends_rad.is_none())).collect()
+    }
+}
+
 /// The fastest of the schedules that are planned for the machine: the schedule for the least time
 /// by the rotary axis alone, the optimal ones and the others, with its motion, in which the leads
-/// are. Rivals that turn back or leave the channel do not take part.
+/// are, and which of them it is. Rivals that turn back or leave the channel do not take part.
 pub(crate) fn least_time(
     setup: &Setup,
     path: &Toolpath,
     channel: &Channel,
     observer: &dyn Observer,
-) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
+) -> Result<(Schedule, (AxisMotion, [Lead; 2]), Candidate)> {
     let (options, feed) = (setup.schedule_options(), setup.feed_options());
     let paced = |standing: f64| paced_standing(&setup.machine, &feed, path, channel, &options, standing);
     let without_jerk = FeedOptions { limit_jerk: false, ..feed };
-    let rough = |schedule: Schedule| -> Result<RoughSchedule> {
+    let rough = |(which, schedule): (Candidate, Schedule)| -> Result<RoughSchedule> {
         observer.check(crate::Stage::Schedule)?;
         let told = Recorder::new(&Silent);
         let leads = leads::choose(setup, path, &schedule, &told)?;
         let (motion, leads) = leads::motion_within(setup, &without_jerk, (path, &schedule, None), leads, &Silent)?;
-        Ok(RoughSchedule { time_s: motion.time_s, schedule, leads, warnings: told.warnings() })
+        Ok(RoughSchedule { which, time_s: motion.time_s, schedule, leads, warnings: told.warnings() })
     };
     let moved = |rough: RoughSchedule| -> Result<MovedSchedule> {
         observer.check(crate::Stage::Schedule)?;
-        let told = Recorder::new(&Silent);
-        let (motion, leads) = leads::motion(setup, path, &rough.schedule, None, rough.leads, &told)?;
-        let warnings = rough.warnings.into_iter().chain(told.warnings()).collect();
-        Ok(MovedSchedule { schedule: rough.schedule, motion, leads, warnings })
+        rough.moved(setup, path)
     };
     let enough_s = feed::least_time(path, &feed) * (1.0 + ENOUGH);
     let (mut made, mut open, mut closed) = (Vec::new(), Vec::new(), None);
-    match paced(0.0).and_then(rough) {
+    let paced_too = |standing: f64| Ok((Candidate::Paced(standing), paced(standing)?));
+    match paced_too(0.0).and_then(rough) {
         Ok(first) if first.time_s <= enough_s => {
             let first = moved(first)?;
             if first.motion.time_s <= enough_s {
@@ -72,35 +92,73 @@ pub(crate) fn least_time(
         Err(e) if e.kind == ErrorKind::Infeasible => closed = Some(e),
         Err(e) => return Err(e),
     }
-    let (standing, rivals) =
-        parallel::both(|| parallel::filter_map(&STANDING, |s| paced(*s).ok()), || rivals(path, channel, &options));
-    let others: Vec<Schedule> = standing.into_iter().chain(rivals).collect();
+    let (standing, rivals) = parallel::both(
+        || parallel::filter_map(&STANDING, |s| paced_too(*s).ok()),
+        || made_rivals(path, channel, &options),
+    );
+    let others: Vec<(Candidate, Schedule)> = standing.into_iter().chain(rivals).collect();
     open.extend(parallel::try_map(others, rough)?);
     keep_fastest(&mut open, |rough| rough.time_s);
     made.extend(parallel::try_map(open, moved)?);
     // Of equals the first.
     match made.into_iter().min_by(|a, b| a.motion.time_s.total_cmp(&b.motion.time_s)) {
         Some(best) => Ok(best.told(observer)),
-        None => Err(closed.unwrap_or_else(|| {
-            Error::infeasible(
-                crate::Stage::Schedule,
-                "there is no schedule to be compared",
-                crate::error::Infeasible::NoSchedules,
-            )
-        })),
+        None => Err(closed.unwrap_or_else(none_compares)),
     }
+}
+
+fn none_compares() -> Error {
+    let message = "there is no schedule to be compared";
+    Error::infeasible(crate::Stage::Schedule, message, crate::error::Infeasible::NoSchedules)
+}
+
+/// One of the candidates again, in a channel that has changed a little: the others would be as far
+/// from it as they were.
+///
+/// # Errors
+/// Those of its schedule and of its motion.
+pub(crate) fn again(
+    setup: &Setup,
+    (path, channel): (&Toolpath, &Channel),
+    which: Candidate,
+    observer: &dyn Observer,
+) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
+    let options = setup.schedule_options();
+    let schedule = match which {
+        Candidate::Paced(standing) => {
+            paced_standing(&setup.machine, &setup.feed_options(), path, channel, &options, standing)?
+        }
+        Candidate::Rival(kind, measure) => rival(path, channel, &options, (kind, measure))?,
+    };
+    let told = Recorder::new(&Silent);
+    let leads = leads::choose(setup, path, &schedule, &told)?;
+    let rough = RoughSchedule { which, time_s: f64::INFINITY, schedule, leads, warnings: told.warnings() };
+    let (schedule, motion, _) = rough.moved(setup, path)?.told(observer);
+    Ok((schedule, motion))
 }
 
 /// A candidate with its leads, and its time without limits of jerk.
 struct RoughSchedule {
+    which: Candidate,
     time_s: f64,
     schedule: Schedule,
     leads: [Lead; 2],
     warnings: Vec<Warning>,
 }
 
+impl RoughSchedule {
+    /// With its motion within all limits.
+    fn moved(self, setup: &Setup, path: &Toolpath) -> Result<MovedSchedule> {
+        let told = Recorder::new(&Silent);
+        let (motion, leads) = leads::motion(setup, path, &self.schedule, None, self.leads, &told)?;
+        let warnings = self.warnings.into_iter().chain(told.warnings()).collect();
+        Ok(MovedSchedule { which: self.which, schedule: self.schedule, motion, leads, warnings })
+    }
+}
+
 /// A candidate with its fastest motion, leads included.
 struct MovedSchedule {
+    which: Candidate,
     schedule: Schedule,
     motion: AxisMotion,
     leads: [Lead; 2],
@@ -110,9 +168,9 @@ struct MovedSchedule {
 impl MovedSchedule {
     /// The one that is taken: its warnings are reported, since those of candidates that are not
     /// used would mislead.
-    fn told(self, observer: &dyn Observer) -> (Schedule, (AxisMotion, [Lead; 2])) {
+    fn told(self, observer: &dyn Observer) -> (Schedule, (AxisMotion, [Lead; 2]), Candidate) {
         self.warnings.into_iter().for_each(|w| observer.warn(w));
-        (Schedule { kind: ScheduleKind::Time, ..self.schedule }, (self.motion, self.leads))
+        (Schedule { kind: ScheduleKind::Time, ..self.schedule }, (self.motion, self.leads), self.which)
     }
 }
 
@@ -165,17 +223,28 @@ fn paced_standing(
     schedule::plan(ScheduleKind::Time, path, channel, &ScheduleOptions { pace, ..*options }, &Silent)
 }
 
-/// Schedules that may be faster on some machine. One that cannot be made is left out. With given
-/// ends the optimal ones alone: `fixed` and `quaternion` are none, `piecewise` has less choice.
+/// Schedules that may be faster on some machine. One that cannot be made is left out.
 pub(crate) fn rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<Schedule> {
-    let optimal = [options.settings.measure, Measure::SquareSecond]
-        .map(|measure| (ScheduleKind::Optimal, options.with(|s| s.measure = measure)));
-    let published = [ScheduleKind::Piecewise, ScheduleKind::Quaternion, ScheduleKind::Fixed].map(|k| (k, *options));
-    let published = published.into_iter().filter(|_| options.ends_rad.is_none());
-    let kinds: Vec<(ScheduleKind, ScheduleOptions)> = optimal.into_iter().chain(published).collect();
-    parallel::filter_map(&kinds, |(kind, options)| {
-        schedule::plan(*kind, path, channel, options, &Silent).ok().filter(|s| machinable(s, channel))
+    made_rivals(path, channel, options).into_iter().map(|(_, schedule)| schedule).collect()
+}
+
+fn made_rivals(path: &Toolpath, channel: &Channel, options: &ScheduleOptions) -> Vec<(Candidate, Schedule)> {
+    parallel::filter_map(&Candidate::rivals(options), |which| match which {
+        Candidate::Rival(kind, measure) => Some((*which, rival(path, channel, options, (*kind, *measure)).ok()?)),
+        Candidate::Paced(_) => None,
     })
+}
+
+/// # Errors
+/// Those of [`schedule::plan`]; kind `Infeasible` where it turns back or leaves the channel.
+fn rival(
+    path: &Toolpath,
+    channel: &Channel,
+    options: &ScheduleOptions,
+    (kind, measure): (ScheduleKind, Measure),
+) -> Result<Schedule> {
+    let made = schedule::plan(kind, path, channel, &options.with(|s| s.measure = measure), &Silent)?;
+    if machinable(&made, channel) { Ok(made) } else { Err(none_compares()) }
 }
 
 /// Stays in the channel, and never turns back where it is not to.

@@ -6,12 +6,12 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
 use super::super::forbidden::MOVE_TOLERANCES;
-use super::super::{ChannelOptions, Leans, Surroundings, gaps, part, plan};
+use super::super::{ChannelOptions, Leans, Surroundings, part, plan, plan_or_gaps, proven};
 use super::brute::cases;
 use super::location::open_options;
 use super::world::{banana, blade, ellipse, helix, least_margin, on_platform, tool};
 use crate::artifact::channel::Binding;
-use crate::artifact::{Cone, Cones, Sweep, Toolpath};
+use crate::artifact::{Channel, Cone, Cones, Sweep, Toolpath};
 use crate::error::{Bound, ErrorKind, Infeasible};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::{Point, Vector};
@@ -380,11 +380,10 @@ fn cones_may_change_along_the_path() {
         }
     }
     // The whole channel, its moves proven: at no time does the tool come nearer than it may.
-    let proven = o.with(|s| s.prove_moves = true);
     let path = helix(&outline, 4.0, 60, 1, 12.0, 0.4);
     let path = path.clone().with_cones(Cones::along((0..path.locations.len()).map(wobbling).collect()));
-    let channel = plan(&blade, &t, &path, &proven, &Silent).unwrap();
-    for i in (0..path.locations.len() - 1).step_by(4) {
+    let channel = plan(&blade, &t, &path, &o.clone().with(|s| s.prove_moves = true), &Silent).unwrap();
+    let holds = |channel: &Channel, i: usize| {
         let (a, b) = (&channel.rows[i], &channel.rows[i + 1]);
         for time in [0.0, 0.3, 0.5, 0.8] {
             let from = path.locations[i].centre;
@@ -395,7 +394,22 @@ fn cones_may_change_along_the_path() {
                 assert!(m > -1e-9, "after location {i}, time {time}: {m}");
             }
         }
+    };
+    (0..path.locations.len() - 1).step_by(4).for_each(|i| holds(&channel, i));
+    // Some moves of a channel proven afterwards: they hold too, and no other wall moves.
+    let before = plan(&blade, &t, &path, &o, &Silent).unwrap();
+    let options = ChannelOptions { prove_at: vec![3, 4, 40], ..o };
+    let after = proven(&around, &t, (&path, &before), &options, &Silent).unwrap().unwrap();
+    assert_eq!(after.proven_at, [3, 4, 40]);
+    options.prove_at.iter().for_each(|i| holds(&after, *i));
+    let mut moved = 0;
+    for (k, (a, b)) in before.rows.iter().zip(&after.rows).enumerate() {
+        assert!(b.theta_min >= a.theta_min && b.theta_max <= a.theta_max, "{k}");
+        let moves = b.theta_min > a.theta_min || b.theta_max < a.theta_max;
+        assert!(!moves || [3, 4, 5, 40, 41].contains(&k), "{k}");
+        moved += usize::from(moves);
     }
+    assert!(moved > 0);
 }
 
 /// Two plates leave a cylinder an angle of 0.8° about one line. Cones about an axis oblique to them
@@ -435,5 +449,8 @@ fn a_gap_that_is_oblique_to_the_cones_is_followed() {
     let e = plan(&shut, &tool(4.0, 0.0), &path, &options, &Silent).unwrap_err();
     assert_eq!(e.kind, ErrorKind::Infeasible, "{e}");
     let around = Surroundings::new(&shut, &[], 4.0).unwrap();
-    assert_eq!(gaps(&around, &tool(4.0, 0.0), &path, &options, &Silent).unwrap(), [0, 1]);
+    let mut closes = Vec::new();
+    let found = plan_or_gaps(&around, &tool(4.0, 0.0), &path, &options, &mut closes, &Silent);
+    assert_eq!(found.map_err(|e| e.message), Err(e.message));
+    assert_eq!(closes, [0, 1]);
 }
