@@ -170,7 +170,7 @@ struct Search {
     closed: Vec<bool>,
     /// Rows at which the last way leads through such a gap.
     narrow: Vec<usize>,
-    /// Rows at which a way has stopped.
+    /// Rows at which any way so far has stopped.
     stopped: Vec<usize>,
     heights: Heights,
 }
@@ -283,7 +283,7 @@ fn along_way(
     observer.check(Stage::Channel)?;
     let linked = links::linked(setup, path, grid, (&search.stations, &way), (around, &mut search.heights))?;
     let narrow = &search.narrow;
-    let whole = |linked: &Linked, observer: &dyn Observer| {
+    let stretch = |linked: &Linked, observer: &dyn Observer| {
         let mut closes = Vec::new();
         along(setup, grid, linked, (around, &mut closes), observer).map_err(|mut error| {
             let is_narrow = |row: &usize| narrow.binary_search(row).is_ok();
@@ -305,10 +305,10 @@ fn along_way(
     };
     // All of it only where nothing stops it any more at the places that have.
     let stretches = linked.about(&search.stopped, ABOUT_MM);
-    let short = parallel::map(&stretches, |rows| whole(&linked.part(*rows), &Silent).err());
+    let short = parallel::map(&stretches, |rows| stretch(&linked.part(*rows), &Silent).err());
     let found = match short.into_iter().flatten().reduce(Stopped::and) {
         Some(stopped) => Err(stopped),
-        None => whole(&linked, observer),
+        None => stretch(&linked, observer),
     };
     if let Err(stopped) = &found {
         search.stopped.extend(&stopped.rows);
