@@ -49,15 +49,16 @@ pub(super) fn binding(by: Witness, scene: &ObstacleScene) -> Binding {
 /// between them would be outside there. Where nothing is left between walls that are moved in alike
 /// at both rows, they are turned.
 pub(super) fn rows(samples: &[Sample], walls: &[Free], scene: &ObstacleScene) -> Vec<ChannelRow> {
-    let at_locations = samples.iter().zip(walls).filter(|(s, _)| s.fraction == 0.0);
-    let of_locations: Vec<ChannelRow> = at_locations.map(|(_, f)| row_of(f, scene)).collect();
-    let mut rows = of_locations.clone();
+    let of_locations = || -> Vec<ChannelRow> {
+        samples.iter().zip(walls).filter(|(s, _)| s.fraction == 0.0).map(|(_, f)| row_of(f, scene)).collect()
+    };
+    let mut rows = of_locations();
     narrow(&mut rows, (samples, walls), scene);
     let cross = |row: &ChannelRow| row.theta_min > row.theta_max;
     if !rows.iter().any(cross) {
         return rows;
     }
-    let moved_in = std::mem::replace(&mut rows, of_locations);
+    let moved_in = std::mem::replace(&mut rows, of_locations());
     let mut from = 0;
     for places in samples.chunk_by(|a, b| a.row == b.row) {
         let walls = &walls[from..from + places.len()];

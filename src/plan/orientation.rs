@@ -233,8 +233,6 @@ impl Stopped {
     /// Two stretches of one way: the reason is the first's.
     fn and(mut self, other: Stopped) -> Stopped {
         self.rows.extend(other.rows);
-        self.rows.sort_unstable();
-        self.rows.dedup();
         self
     }
 }

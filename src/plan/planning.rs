@@ -147,7 +147,7 @@ fn scheduled(setup: &Setup, path: &Toolpath, channel: &Channel, observer: &dyn O
 /// As [`scheduled`], in a channel that has changed a little: the same one of several, if it can be
 /// made again.
 fn scheduled_again(setup: &Setup, path: &Toolpath, channel: &Channel, which: Option<Candidate>) -> Result<Scheduled> {
-    match which.map(|which| schedules::again(setup, (path, channel), which, &Silent)) {
+    match which.map(|which| schedules::again(setup, (path, channel), which)) {
         Some(Ok((schedule, motion))) => Ok(Scheduled { schedule, motion: Some(motion), which }),
         _ => scheduled(setup, path, channel, &Silent),
     }
@@ -176,7 +176,8 @@ fn keep_clear(
         rows.sort_unstable();
         rows.dedup();
         let found = timed(observer, Stage::Channel, || {
-            for exact_ends in [setup.job.channel.exact_ends, true] {
+            let by_exact_faces = if setup.job.channel.exact_ends { &[true][..] } else { &[false, true] };
+            for exact_ends in by_exact_faces.iter().copied() {
                 if let Some(channel) = setup.channel_with_proven((path, channel), &rows, exact_ends, &Silent)? {
                     return Ok(channel);
                 }

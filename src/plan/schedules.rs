@@ -75,7 +75,10 @@ pub(crate) fn least_time(
     };
     let moved = |rough: RoughSchedule| -> Result<MovedSchedule> {
         observer.check(crate::Stage::Schedule)?;
-        rough.moved(setup, path)
+        let told = Recorder::new(&Silent);
+        let (motion, leads) = leads::motion(setup, path, &rough.schedule, None, rough.leads, &told)?;
+        let warnings = rough.warnings.into_iter().chain(told.warnings()).collect();
+        Ok(MovedSchedule { which: rough.which, schedule: rough.schedule, motion, leads, warnings })
     };
     let enough_s = feed::least_time(path, &feed) * (1.0 + ENOUGH);
     let (mut made, mut open, mut closed) = (Vec::new(), Vec::new(), None);
@@ -113,7 +116,7 @@ fn none_compares() -> Error {
 }
 
 /// One of the candidates again, in a channel that has changed a little: the others would be as far
-/// from it as they were.
+/// from it as they were. What there was to warn of has been said of the first.
 ///
 /// # Errors
 /// Those of its schedule and of its motion.
@@ -121,7 +124,6 @@ pub(crate) fn again(
     setup: &Setup,
     (path, channel): (&Toolpath, &Channel),
     which: Candidate,
-    observer: &dyn Observer,
 ) -> Result<(Schedule, (AxisMotion, [Lead; 2]))> {
     let options = setup.schedule_options();
     let schedule = match which {
@@ -130,11 +132,9 @@ pub(crate) fn again(
         }
         Candidate::Rival(kind, measure) => rival(path, channel, &options, (kind, measure))?,
     };
-    let told = Recorder::new(&Silent);
-    let leads = leads::choose(setup, path, &schedule, &told)?;
-    let rough = RoughSchedule { which, time_s: f64::INFINITY, schedule, leads, warnings: told.warnings() };
-    let (schedule, motion, _) = rough.moved(setup, path)?.told(observer);
-    Ok((schedule, motion))
+    let leads = leads::choose(setup, path, &schedule, &Silent)?;
+    let motion = leads::motion(setup, path, &schedule, None, leads, &Silent)?;
+    Ok((Schedule { kind: ScheduleKind::Time, ..schedule }, motion))
 }
 
 /// A candidate with its leads, and its time without limits of jerk.
@@ -144,16 +144,6 @@ struct RoughSchedule {
     schedule: Schedule,
     leads: [Lead; 2],
     warnings: Vec<Warning>,
-}
-
-impl RoughSchedule {
-    /// With its motion within all limits.
-    fn moved(self, setup: &Setup, path: &Toolpath) -> Result<MovedSchedule> {
-        let told = Recorder::new(&Silent);
-        let (motion, leads) = leads::motion(setup, path, &self.schedule, None, self.leads, &told)?;
-        let warnings = self.warnings.into_iter().chain(told.warnings()).collect();
-        Ok(MovedSchedule { which: self.which, schedule: self.schedule, motion, leads, warnings })
-    }
 }
 
 /// A candidate with its fastest motion, leads included.
