@@ -23,8 +23,13 @@ const SMALLEST: f64 = 1e-5;
 const SMALLEST_WILD: f64 = 1e-3;
 const WILD_CUTS: usize = 6;
 const DEEPEST: usize = 24;
-/// A face of more pieces than this is cut no further: queries cut the rest where they need to.
+/// A face of more pieces than this is cut anew, into pieces [`COARSER`] times as thick, at most
+/// [`COARSEST`] times; then it is cut no further, and queries cut the rest where they need to. A
+/// loft through splines of unlike knots may have thousands of strips as long as the blade: with the
+/// first of them cut finely and the last not at all, every query would meet all of the last.
 const MOST_PIECES: usize = 100_000;
+const COARSER: f64 = 4.0;
+const COARSEST: i32 = 4;
 
 /// The pieces of one face.
 #[derive(Default)]
@@ -73,23 +78,43 @@ fn rects(shape: &FaceForm, region: &TrimTest, face: u32) -> Vec<Rect> {
 
 fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[TrimTest], f: usize, diagonal_mm: f64) -> Pieces {
     let shape = FaceForm { surface: &brep.faces[f].surface, table: tables[f].as_ref() };
-    let region = &regions[f];
+    let rects = rects(&shape, &regions[f], f as u32);
+    let cut = |coarser: i32| {
+        let fineness = Fineness { thickness_mm: COARSER.powi(coarser) * THICKNESS * diagonal_mm, diagonal_mm };
+        cut(&shape, &regions[f], &rects, &fineness)
+    };
+    // What even the coarsest pieces are too many for is cut as far as it goes.
+    let fitting = (0..COARSEST).map(cut).find(|pieces| pieces.leaves.len() < MOST_PIECES);
+    fitting.unwrap_or_else(|| cut(COARSEST))
+}
+
+/// How finely a face is cut.
+struct Fineness {
+    /// Pieces are no thicker than this, mm.
+    thickness_mm: f64,
+    /// Diagonal of the part, mm.
+    diagonal_mm: f64,
+}
+
+/// The pieces of the rectangles of a face, in their order.
+fn cut(shape: &FaceForm, region: &TrimTest, rects: &[Rect], fineness: &Fineness) -> Pieces {
+    let Fineness { thickness_mm, diagonal_mm } = *fineness;
     let mut out = Pieces::default();
-    for first in rects(&shape, region, f as u32) {
-        let mut open = vec![(first, region.kind(&shape, &first, None), 0, 0)];
+    for &first in rects {
+        let mut open = vec![(first, region.kind(shape, &first, None), 0, 0)];
         while let Some((rect, kind, depth, wild_cuts)) = open.pop() {
             let borders = match kind {
                 TrimKind::Outside => continue,
                 TrimKind::Inside => None,
                 TrimKind::Crossed(borders) => Some(borders),
             };
-            let (points, row) = hull(&shape, &rect);
-            let mut leaf = Leaf::boxed(&shape, rect, &points);
+            let (points, row) = hull(shape, &rect);
+            let mut leaf = Leaf::boxed(shape, rect, &points);
             let may_be_cut = depth < DEEPEST && out.leaves.len() + open.len() < MOST_PIECES;
             let small = leaf.slab.radius() < SMALLEST_WILD * diagonal_mm;
             // Large thick pieces are cut, whatever their curvature.
-            if small || !may_be_cut || leaf.slab.half[2] <= THICKNESS * diagonal_mm {
-                leaf.measure_bend(&shape);
+            if small || !may_be_cut || leaf.slab.half[2] <= thickness_mm {
+                leaf.measure_bend(shape);
             }
             // Sides that matter from afar stay many however small the piece is.
             let crowded = leaf.slab.radius() > 2.0 * region.limit_mm()
@@ -97,12 +122,12 @@ fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[TrimTest], f: u
             let wild = leaf.wild && small;
             if may_be_cut
                 && (!wild || crowded || wild_cuts < WILD_CUTS)
-                && let Some(along) = to_cut(&leaf, &points, row, crowded, diagonal_mm)
+                && let Some(along) = to_cut(&leaf, (&points, row), crowded, fineness)
             {
                 let [a, b] = rect.halves(along);
                 for half in [b, a] {
                     let kind = match &borders {
-                        Some(list) => region.kind(&shape, &half, Some(list)),
+                        Some(list) => region.kind(shape, &half, Some(list)),
                         None => TrimKind::Inside,
                     };
                     open.push((half, kind, depth + 1, wild_cuts + usize::from(wild)));
@@ -116,14 +141,14 @@ fn face(brep: &Brep, tables: &[Option<SurfaceTable>], regions: &[TrimTest], f: u
 }
 
 /// The direction in which a piece is to be halved, if it is.
-fn to_cut(leaf: &Leaf, points: &[Point], row: usize, crowded: bool, diagonal_mm: f64) -> Option<usize> {
-    if leaf.slab.radius() < SMALLEST * diagonal_mm {
+fn to_cut(leaf: &Leaf, (points, row): (&[Point], usize), crowded: bool, fineness: &Fineness) -> Option<usize> {
+    if leaf.slab.radius() < SMALLEST * fineness.diagonal_mm {
         return None;
     }
     let bend = bends(points, row);
     let size = extents(points, row);
     let longer = usize::from(size[1] > size[0]);
-    if leaf.slab.half[2] > THICKNESS * diagonal_mm || leaf.wild || leaf.turn[0] > TURN {
+    if leaf.slab.half[2] > fineness.thickness_mm || leaf.wild || leaf.turn[0] > TURN {
         let more = usize::from(bend[1] > bend[0]);
         // A twist bends neither way.
         return Some(if bend[more] > 0.02 * size[more] { more } else { longer });

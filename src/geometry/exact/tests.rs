@@ -549,3 +549,39 @@ fn a_point_nearly_as_near_is_as_near_as_said() {
     let cuts = |within: f64| counted(exact, brep, &on_axis, f64::INFINITY, within).1;
     assert!(cuts(0.1) < cuts(NEGLIGIBLE_MM), "{} {}", cuts(0.1), cuts(NEGLIGIBLE_MM));
 }
+
+/// A quarter of a cylinder whose wall is cut across by thousands of knots, as that of a loft
+/// through splines of unlike knots is: as many strips of full length, each to be cut finely.
+#[test]
+fn of_thousands_of_strips_none_stays_whole() {
+    let (radius, height, strips) = (60.0, 200.0, 4000);
+    let at = |share: f64| {
+        let turn = std::f64::consts::FRAC_1_SQRT_2;
+        let row = [(1.0, 0.0, 1.0), (turn, turn, turn), (0.0, 1.0, 1.0)];
+        row.map(|(x, y, w)| Vector4::new(radius * x, radius * y, height * share * w, w))
+    };
+    // Wider and wider.
+    let shares: Vec<f64> =
+        (0..=strips).map(|k| f64::from(k) / f64::from(strips)).map(|t| t * (0.5 + 0.5 * t)).collect();
+    let knots_u = shares.first().into_iter().chain(&shares).chain(shares.last()).copied().collect();
+    let wall = NurbsSurface {
+        degree_u: 1,
+        degree_v: 2,
+        knots_u,
+        knots_v: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+        n_u: shares.len(),
+        n_v: 3,
+        points: shares.iter().flat_map(|share| at(*share)).collect(),
+    };
+    let wall = part(wall, 0.5);
+    let (brep, exact) = wall.exact().unwrap();
+    let thickest_mm = exact.leaves.iter().map(|leaf| leaf.slab.half[2]).fold(0.0, f64::max);
+    assert!(exact.leaves.len() < 100_000 && thickest_mm < 0.1, "{} {thickest_mm}", exact.leaves.len());
+    for k in 0..400 {
+        let k = f64::from(k);
+        let (turn, off_mm) = (0.1 + 0.003 * k, 3.0 * (0.7 * k).sin());
+        let on = Point::new(0.0, 0.0, 20.0 + 0.4 * k) + Vector::new(turn.cos(), turn.sin(), 0.0) * (radius + off_mm);
+        let (found, cuts) = counted(exact, brep, &on, f64::INFINITY, NEGLIGIBLE_MM);
+        assert!((found.unwrap().d2.sqrt() - off_mm.abs()).abs() < 1e-9 && cuts < 20, "{k}: {cuts}");
+    }
+}

@@ -25,9 +25,11 @@ impl Front<'_> {
     /// Whether the corners of a turn are covered and no more: two sides that run towards one
     /// another meet in a corner and cut more there than the place where they meet, and the next
     /// turn need only come to within half a stepover of what they leave. Over facets there are such
-    /// corners in every turn.
+    /// corners in every turn. Cutters with a corner, which lean aside there, and turns as published
+    /// keep to the neighbours of single places on exact faces.
     pub fn follows_corners(&self) -> bool {
-        self.is_path && self.across.level.is_over_facets()
+        let level = self.across.level;
+        self.is_path && (level.is_over_facets() || (level.inclined.is_none() && !self.is_first_order()))
     }
 
     /// The neighbour of node `i`, farther on where that is in a corner: half a stepover beyond the
