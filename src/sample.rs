@@ -155,6 +155,26 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
     Plan { toolpath, channel, schedule, motion, leads: Default::default(), curve: None }
 }
 
+/// One turn of [`plan`] that turns back on itself at location `at`, by `by` locations, and goes on
+/// over the same ground, while θ grows on.
+pub fn turned_back(per_turn: usize, at: usize, by: usize) -> Plan {
+    let Plan { mut toolpath, leads, curve, .. } = plan(1, per_turn);
+    let ds = toolpath.locations[1].s_mm;
+    let rows = (0..=at).chain((at - by..at).rev()).chain(at - by + 1..=per_turn);
+    let along = |(i, row): (usize, usize)| {
+        let s_mm = i as f64 * ds;
+        CutterLocation { s_mm, turn_s_mm: s_mm, ..toolpath.locations[row] }
+    };
+    toolpath.locations = rows.enumerate().map(along).collect();
+    let count = toolpath.locations.len();
+    toolpath.turns[0] = Turn { first: 0, count, length_mm: (count - 1) as f64 * ds };
+    let step = std::f64::consts::TAU / per_turn as f64;
+    let theta: Vec<f64> = (0..count).map(|i| i as f64 * step + LEAD_RAD).collect();
+    let (channel, schedule) = (channel(&theta), schedule(&theta, ds));
+    let motion = motion(&toolpath, &theta);
+    Plan { toolpath, channel, schedule, motion, leads, curve }
+}
+
 /// The plan with arcs of radius 4 mm and 90 degrees at both ends, at the same feed.
 pub fn with_leads(mut plan: Plan) -> Plan {
     let options = LeadOptions { radius_mm: 4.0 };

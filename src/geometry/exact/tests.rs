@@ -225,6 +225,17 @@ fn broken_faces_are_named() {
     brep.edges[1].curve.points.iter_mut().for_each(|p| p.z += 0.3 * p.w);
     let e = Part::from_brep(brep, 0.05, &Silent).err().unwrap();
     assert!(e.message.contains("leaves its surface"), "{e}");
+    // An edge that ends short of the next one: by a little less than what is healed, and by more.
+    for (short_mm, healed) in [(0.04, true), (0.08, false)] {
+        let mut brep = block(Vector::new(1.0, 2.0, 3.0));
+        let edge = &mut brep.edges[brep.faces[3].loops[0][1].edge].curve.points;
+        let way = (edge[0] - edge[1]).xyz().normalize() * short_mm;
+        edge[1] += Vector4::new(way.x, way.y, way.z, 0.0);
+        match Part::from_brep(brep, 0.05, &Silent) {
+            Ok(part) => assert!(healed && (part.mesh.volume_mm3() - 6.0).abs() < 0.3),
+            Err(e) => assert!(!healed && e.message.contains("a gap of 0.0800 mm"), "{e}"),
+        }
+    }
     let mut brep = block(Vector::new(1.0, 2.0, 3.0));
     brep.faces[3].loops[0].pop();
     assert!(Part::from_brep(brep, 0.05, &Silent).err().unwrap().message.contains("instead of closing"));

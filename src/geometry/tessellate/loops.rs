@@ -6,7 +6,7 @@
 //! that side. Loops that run round a closed surface come in pairs, or with a pole, and are joined
 //! by a bridge.
 
-use super::edges::EdgeNet;
+use super::edges::{EdgeNet, HEAL_MM};
 use super::{NO_CHORD, OWN, TessellateOptions, face_error};
 use crate::error::Result;
 use crate::geometry::Point;
@@ -220,7 +220,10 @@ fn corners_of(face: &Face, one: &[Coedge], net: &EdgeNet, seam: &dyn Fn(usize) -
             .or_else(|| left.iter().position(|c| ends(&flip(c))[0] == last[1]).map(|i| (i, true)))
             .ok_or_else(|| {
                 let p = net.points[last[1] as usize];
-                face_error(face, &format!("has a loop with a gap at x {:.4} y {:.4} z {:.4} mm", p.x, p.y, p.z))
+                let to = |id: &u32| (net.points[*id as usize] - p).norm();
+                let width_mm = left.iter().flat_map(ends).map(|id| to(&id)).fold(f64::INFINITY, f64::min);
+                let at = format!("at x {:.4} y {:.4} z {:.4} mm (limit {HEAL_MM} mm)", p.x, p.y, p.z);
+                face_error(face, &format!("has a loop with a gap of {width_mm:.4} mm {at}"))
             })?;
         let next = left.remove(i);
         chain.push(if turned { flip(&next) } else { next });
@@ -229,10 +232,9 @@ fn corners_of(face: &Face, one: &[Coedge], net: &EdgeNet, seam: &dyn Fn(usize) -
         && ends(first)[0] != ends(last)[1]
     {
         let p = net.points[ends(last)[1] as usize];
-        return Err(face_error(
-            face,
-            &format!("has a loop that ends at x {:.4} y {:.4} z {:.4} mm instead of closing", p.x, p.y, p.z),
-        ));
+        let from_mm = (net.points[ends(first)[0] as usize] - p).norm();
+        let at = format!("at x {:.4} y {:.4} z {:.4} mm, {from_mm:.4} mm from its beginning", p.x, p.y, p.z);
+        return Err(face_error(face, &format!("has a loop that ends {at}, instead of closing (limit {HEAL_MM} mm)")));
     }
     let mut out = Vec::new();
     for c in &chain {

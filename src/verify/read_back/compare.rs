@@ -298,7 +298,8 @@ impl Comparison<'_> {
         self.feed.take(off, m.line, on.row);
     }
 
-    /// The nearest place of the plan's path, from plan move `from` on.
+    /// The nearest place of the plan's path, from plan move `from` on: the first that is as near as
+    /// rounding lets it be. A path that turns back on itself comes by there again.
     fn locate(&self, q: &Point, from: usize) -> OnPath {
         let rows = self.motion.rows();
         let mut best = OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY };
@@ -306,6 +307,8 @@ impl Comparison<'_> {
             let (share, distance_mm) = to_segment(q, &rows[row].stand.centre, &rows[row + 1].stand.centre);
             if distance_mm < best.distance_mm - 1e-12 {
                 best = OnPath { row, share, distance_mm };
+            } else if best.distance_mm <= ROUNDED_MM && distance_mm > ROUNDED_MM {
+                break;
             }
         }
         best
@@ -314,6 +317,7 @@ impl Comparison<'_> {
     /// The place of the plan's path, from plan move `from` on, with the least of distance and angle
     /// together, each over its limit: rounding moves a place along the path as well, and where θ
     /// turns hundreds of degrees in a millimetre the nearest centre alone would have another axis.
+    /// Of places within both limits the first, as in [`Self::locate`].
     fn locate_pose(&self, pose: &Pose, from: usize) -> OnPath {
         let rows = self.motion.rows();
         let mut best = (f64::INFINITY, OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY });
@@ -341,6 +345,8 @@ impl Comparison<'_> {
             if apart < best.0 - 1e-9 {
                 let centre = a.centre + (b.centre - a.centre) * share;
                 best = (apart, OnPath { row, share, distance_mm: (pose.centre - centre).norm() });
+            } else if best.0 <= 1.0 && apart > 1.0 {
+                break;
             }
         }
         best.1

@@ -257,6 +257,31 @@ fn failing(control: Control, plan: &Plan, change: &dyn Fn(&str) -> String) -> Ve
     checks.into_iter().filter(|c| !c.passed).map(|c| c.id.to_string()).collect()
 }
 
+/// Where the path turns back on itself each line is compared with the pass that it cuts, not with
+/// the one that comes by there later.
+#[test]
+fn a_path_that_turns_back_comes_back_as_planned() {
+    for (at, by) in [(100, 1), (100, 3), (200, 5)] {
+        let plan = sample::turned_back(720, at, by);
+        for control in [Control::Siemens, Control::Heidenhain, Control::Fanuc, Control::Linuxcnc, Control::Apt] {
+            let found = failing(control, &plan, &|t| t.into());
+            assert!(found.is_empty(), "{control:?}, {by} back at {at}: {found:?}");
+        }
+        // Without the way back and forth, the program misses locations.
+        for control in [Control::Siemens, Control::Linuxcnc] {
+            let cut = |l: &&str| l.contains(" Y") && l.contains(" A") || l.starts_with("GOTO");
+            let p = program(control, plan.clone(), false, &options()).unwrap();
+            let lines: Vec<&str> = p.text.lines().collect();
+            let cuts: Vec<usize> = (0..lines.len()).filter(|k| cut(&lines[*k])).collect();
+            let without = |_: &str| {
+                let left = |k: &usize| !cuts[at + 1..at + 2 * by + 1].contains(k);
+                (0..lines.len()).filter(left).map(|k| lines[k]).collect::<Vec<_>>().join("\n") + "\n"
+            };
+            assert!(!failing(control, &plan, &without).is_empty(), "{control:?}, {by} back at {at}");
+        }
+    }
+}
+
 #[test]
 fn reading_back_finds_what_is_planted() {
     let plan = sample::plan(2, 60);
