@@ -144,7 +144,13 @@ mod tests {
     fn remarks_on_a_model_have_data_too() {
         let joined = Remark::EdgesJoined { count: 3, gap_mm: 0.1 + 0.2 };
         let farthest = FarthestMove { mm: 0.25, face: "face 7".into(), at_mm: [1.0, 1.0 / 3.0, -2.0] };
+        let gaps = Remark::GapsClosed { count: 2, widest_mm: 0.0353, at_mm: [1.0, 1.0 / 3.0, -2.0] };
         for (remark, says, key) in [
+            (
+                gaps,
+                "2 gaps between edges of loops were closed, the widest of 0.035 mm at (1.000, 0.333, -2.000)",
+                "at_mm",
+            ),
             (joined, "3 edges that faces did not share were joined, at most 3.00e-1 mm apart", "gap_mm"),
             (Remark::TakenAtRest, "skins and morph targets are not applied: the mesh is taken at rest", "what"),
             (

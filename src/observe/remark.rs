@@ -141,6 +141,15 @@ pub enum Remark {
         /// Greatest distance between two of them, mm.
         gap_mm: f64,
     },
+    /// Gaps between edges that follow one another in a loop were closed.
+    GapsClosed {
+        /// How many.
+        count: usize,
+        /// Width of the widest, mm.
+        widest_mm: f64,
+        /// Where that is, mm.
+        at_mm: [f64; 3],
+    },
     /// Edges were cut where edges of neighbouring faces end.
     EdgesCut {
         /// How many.

@@ -260,3 +260,50 @@ fn no_room(path: &Toolpath, row: usize) -> Error {
     Error::infeasible(Stage::Channel, message, Infeasible::NoToolAxis { at })
         .advise("let the region end above, take a smaller ball, or a longer or more slender tool")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two turns of 36 places; the tool leaves at location 20 by three places and comes back.
+    fn with_a_link() -> Linked {
+        let path = crate::sample::plan(2, 36).toolpath;
+        let at = path.locations[20];
+        let places = (1..=3).map(|k| (at.centre + at.normal * f64::from(k), at.normal)).collect();
+        let (path, origin) = path.with_links(&[Link { row: 20, places }]);
+        Linked { latitude: (0..origin.len()).map(|k| k as f64).collect(), path, origin }
+    }
+
+    #[test]
+    fn stretches_about_places_hold_what_is_within_reach_and_are_one_where_they_meet() {
+        let linked = with_a_link();
+        let s = |row: usize| linked.path.locations[row].s_mm;
+        let reach_mm = 3.5 * (s(11) - s(10));
+        // On the blade, and about a link all of it, from where it leaves and to where it comes back.
+        assert_eq!(linked.about(&[10], reach_mm), [[7, 13]]);
+        let [first, last] = linked.about(&[20], reach_mm)[0];
+        assert_eq!(linked.origin[20..=24], [20; 5]);
+        assert!(first == 17 && s(last) - s(24) <= reach_mm && s(last + 1) - s(24) > reach_mm, "{first} {last}");
+        assert_eq!(linked.about(&[10, 14], reach_mm), [[7, linked.about(&[14], reach_mm)[0][1]]]);
+        // Ends of the path cut them short; far places have stretches of their own.
+        let end = linked.origin.len() - 1;
+        let about = linked.about(&[0, 72], reach_mm);
+        assert_eq!((about[0], about[1][1]), ([0, 3], end));
+        assert!(linked.about(&[], reach_mm).is_empty());
+    }
+
+    #[test]
+    fn a_part_of_a_path_has_its_rows_and_whole_turns() {
+        let linked = with_a_link();
+        for rows in [[7, 13], [17, 28], [30, 50], [0, linked.origin.len() - 1]] {
+            let part = linked.part(rows);
+            let [first, last] = rows;
+            assert_eq!(part.path.locations, linked.path.locations[first..=last]);
+            assert_eq!(part.origin, linked.origin[first..=last]);
+            assert_eq!(part.latitude, linked.latitude[first..=last]);
+            let counts: Vec<usize> = part.path.turns.iter().map(|turn| turn.count).collect();
+            assert!(counts.iter().all(|count| *count > 0) && counts.iter().sum::<usize>() == last - first + 1);
+            assert!(part.path.turns.windows(2).all(|w| w[0].first + w[0].count == w[1].first));
+        }
+    }
+}

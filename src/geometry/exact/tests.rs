@@ -9,6 +9,7 @@ use crate::geometry::mesh::topology;
 use crate::geometry::nurbs::shapes::{cone, cylinder, loft, sphere, torus};
 use crate::geometry::nurbs::{NurbsCurve, NurbsSurface};
 use crate::geometry::part::Part;
+use crate::geometry::tessellate::edges::closed_gaps;
 use crate::geometry::tessellate::{TessellateOptions, tessellate};
 use crate::geometry::{Point, Vector};
 use crate::observe::Silent;
@@ -231,6 +232,8 @@ fn broken_faces_are_named() {
         let edge = &mut brep.edges[brep.faces[3].loops[0][1].edge].curve.points;
         let way = (edge[0] - edge[1]).xyz().normalize() * short_mm;
         edge[1] += Vector4::new(way.x, way.y, way.z, 0.0);
+        let gaps = closed_gaps(&brep, 0.02);
+        assert!(gaps.len() == usize::from(healed) && gaps.iter().all(|gap| (gap.0 - short_mm).abs() < 1e-12));
         match Part::from_brep(brep, 0.05, &Silent) {
             Ok(part) => assert!(healed && (part.mesh.volume_mm3() - 6.0).abs() < 0.3),
             Err(e) => assert!(!healed && e.message.contains("a gap of 0.0800 mm"), "{e}"),

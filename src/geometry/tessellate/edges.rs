@@ -112,7 +112,7 @@ impl EdgeNet {
     /// # Errors
     /// An edge that evaluates to something that is not finite, named by its face.
     pub fn new(brep: &mut Brep, options: &TessellateOptions) -> Result<Self> {
-        let ends: Vec<Point> = brep.edges.iter().flat_map(|e| e.t.map(|t| e.curve.point(t))).collect();
+        let ends = ends_of(brep);
         check_finite(brep, &ends)?;
         let (vertex_of, points) = weld_vertices(brep, &ends, options.weld_mm);
         merge_edges(brep, &vertex_of, options);
@@ -202,17 +202,7 @@ fn check_finite(brep: &Brep, ends: &[Point]) -> Result<()> {
 /// Vertex of every edge end (two per edge), and the vertices' points.
 fn weld_vertices(brep: &Brep, ends: &[Point], weld_mm: f64) -> (Vec<u32>, Vec<Point>) {
     let mut union = Union((0..ends.len()).collect());
-    // Ends that follow one another in a loop.
-    for one in brep.faces.iter().flat_map(|f| &f.loops) {
-        for (k, c) in one.iter().enumerate() {
-            let next = one[(k + 1) % one.len()];
-            let (a, b) = (2 * c.edge + usize::from(!c.reversed), 2 * next.edge + usize::from(next.reversed));
-            if (ends[a] - ends[b]).norm() <= HEAL_MM.min(0.2 * edge_size(ends, c.edge).min(edge_size(ends, next.edge)))
-            {
-                union.join(a, b);
-            }
-        }
-    }
+    consecutive(brep, ends).for_each(|[a, b]| union.join(a, b));
     // Ends in the same place: a sweep along x.
     let mut order: Vec<usize> = (0..ends.len()).collect();
     order.sort_by(|a, b| ends[*a].x.total_cmp(&ends[*b].x).then(a.cmp(b)));
@@ -234,6 +224,31 @@ fn weld_vertices(brep: &Brep, ends: &[Point], weld_mm: f64) -> (Vec<u32>, Vec<Po
         })
         .collect();
     (vertex_of, points)
+}
+
+/// Both ends of every edge.
+fn ends_of(brep: &Brep) -> Vec<Point> {
+    brep.edges.iter().flat_map(|e| e.t.map(|t| e.curve.point(t))).collect()
+}
+
+/// Ends of edges that follow one another in a loop and are the same vertex, though they may be a
+/// gap apart: indices as of `ends`, two for each edge.
+fn consecutive(brep: &Brep, ends: &[Point]) -> impl Iterator<Item = [usize; 2]> {
+    let pairs = brep.faces.iter().flat_map(|f| &f.loops).flat_map(|one| (0..one.len()).map(move |k| (one, k)));
+    pairs.filter_map(|(one, k)| {
+        let (c, next) = (one[k], one[(k + 1) % one.len()]);
+        let (a, b) = (2 * c.edge + usize::from(!c.reversed), 2 * next.edge + usize::from(next.reversed));
+        let most_mm = HEAL_MM.min(0.2 * edge_size(ends, c.edge).min(edge_size(ends, next.edge)));
+        ((ends[a] - ends[b]).norm() <= most_mm).then_some([a, b])
+    })
+}
+
+/// Gaps wider than `least_mm` between edges that follow one another in a loop, which a tessellation
+/// closes: widths, mm, and where they are.
+pub fn closed_gaps(brep: &Brep, least_mm: f64) -> Vec<(f64, Point)> {
+    let ends = ends_of(brep);
+    let width_mm = |[a, b]: [usize; 2]| ((ends[a] - ends[b]).norm(), ends[a]);
+    consecutive(brep, &ends).map(width_mm).filter(|gap| gap.0 > least_mm).collect()
 }
 
 /// Distance between an edge's ends, or infinity where it is closed.

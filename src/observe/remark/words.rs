@@ -96,6 +96,13 @@ impl fmt::Display for Remark {
             Remark::EdgesJoined { count, gap_mm } => {
                 write!(f, "{count} edges that faces did not share were joined, at most {gap_mm:.2e} mm apart")
             }
+            Remark::GapsClosed { count, widest_mm, at_mm: [x, y, z] } => {
+                write!(
+                    f,
+                    "{count} gaps between edges of loops were closed, the widest of {widest_mm:.3} mm at ({x:.3}, {y:.3}, \
+                     {z:.3})"
+                )
+            }
             Remark::EdgesCut { count } => write!(f, "{count} edges were cut where edges of neighbouring faces end"),
             Remark::EdgesDropped { count } => {
                 write!(f, "{count} edges shorter than the sewing tolerance were dropped")

@@ -29,6 +29,7 @@ use crate::geometry::boundary::{self, openings};
 use crate::geometry::brep::{Brep, FaceName};
 use crate::geometry::mesh::{Mesh, topology};
 use crate::geometry::part::Part;
+use crate::geometry::tessellate::edges::closed_gaps;
 use crate::observe::{Doubt, Observer, Remark, Warning};
 
 /// A closed part with less volume than this share of its size's cube is a sheet folded on itself.
@@ -37,6 +38,9 @@ const NO_VOLUME: f64 = 1e-9;
 /// Faces are meshed no finer than this share of the part's diagonal: the triangles of a blade of a
 /// hundred metres would fill the memory.
 const FINEST: f64 = 2e-6;
+
+/// Gaps between edges of a loop that are wider than this are noted, mm.
+const GAP_MM: f64 = 0.02;
 
 /// What is in a model file.
 pub struct Survey {
@@ -215,6 +219,7 @@ pub fn from_faces(
     observer.progress(Stage::Model, 1, 3);
     let mut published = rescued.published;
     if let Some(mut brep) = part.brep.take() {
+        diagnosis.notes.extend(gaps(&brep));
         diagnosis.notes.extend(orient::orient(&mut brep, &mut part.mesh));
         if let Some(faces) = &mut published {
             faces.orient(&brep);
@@ -230,6 +235,13 @@ pub fn from_faces(
         survey.diagnosis.notes.push(Remark::ExactOpeningsStay);
     }
     Ok(survey)
+}
+
+/// The gaps between edges of loops that were closed, where any is wide.
+fn gaps(brep: &Brep) -> Option<Remark> {
+    let gaps = closed_gaps(brep, GAP_MM);
+    let (widest_mm, at) = gaps.iter().copied().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(Remark::GapsClosed { count: gaps.len(), widest_mm, at_mm: at.into() })
 }
 
 /// The deflection that was asked for, or the finest for a part of this size, which is noted.
