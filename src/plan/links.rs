@@ -279,7 +279,7 @@ mod tests {
         let linked = with_a_link();
         let s = |row: usize| linked.path.locations[row].s_mm;
         let reach_mm = 3.5 * (s(11) - s(10));
-        // On the blade, and about a link all of it, from where it leaves and to where it comes back.
+        // On the blade, and about a link all of it, from where it leaves to where it comes back.
         assert_eq!(linked.about(&[10], reach_mm), [[7, 13]]);
         let [first, last] = linked.about(&[20], reach_mm)[0];
         assert_eq!(linked.origin[20..=24], [20; 5]);
