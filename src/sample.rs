@@ -156,14 +156,17 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
 }
 
 /// One turn of [`plan`] that turns back on itself at location `at`, by `by` locations, and goes on
-/// over the same ground, while θ grows on.
+/// over the same ground, while θ grows on. The way back is off the ways there by less than what a
+/// program rounds to.
 pub fn turned_back(per_turn: usize, at: usize, by: usize) -> Plan {
     let Plan { mut toolpath, leads, curve, .. } = plan(1, per_turn);
     let ds = toolpath.locations[1].s_mm;
     let rows = (0..=at).chain((at - by..at).rev()).chain(at - by + 1..=per_turn);
     let along = |(i, row): (usize, usize)| {
         let s_mm = i as f64 * ds;
-        CutterLocation { s_mm, turn_s_mm: s_mm, ..toolpath.locations[row] }
+        let back = if (at + 1..at + by).contains(&i) { Vector::x() * 4e-6 } else { Vector::zeros() };
+        let there = toolpath.locations[row];
+        CutterLocation { s_mm, turn_s_mm: s_mm, centre: there.centre + back, contact: there.contact + back, ..there }
     };
     toolpath.locations = rows.enumerate().map(along).collect();
     let count = toolpath.locations.len();

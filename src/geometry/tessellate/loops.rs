@@ -199,6 +199,11 @@ fn poles_of(surface: &NurbsSurface, tolerance: f64) -> Vec<Pole> {
     poles
 }
 
+/// What gaps between edges of a loop are closed, in words.
+fn limit() -> String {
+    format!("limit {HEAL_MM} mm, and a fifth of the shorter edge")
+}
+
 /// The corners of a loop in order, each with the chord to the next one; `uv` still to come.
 fn corners_of(face: &Face, one: &[Coedge], net: &EdgeNet, seam: &dyn Fn(usize) -> bool) -> Result<Vec<RingCorner>> {
     let mut left: Vec<Coedge> = one.iter().copied().filter(|c| net.lines[c.edge].ids.len() > 1).collect();
@@ -220,10 +225,10 @@ fn corners_of(face: &Face, one: &[Coedge], net: &EdgeNet, seam: &dyn Fn(usize) -
             .or_else(|| left.iter().position(|c| ends(&flip(c))[0] == last[1]).map(|i| (i, true)))
             .ok_or_else(|| {
                 let p = net.points[last[1] as usize];
-                let to = |id: &u32| (net.points[*id as usize] - p).norm();
-                let width_mm = left.iter().flat_map(ends).map(|id| to(&id)).fold(f64::INFINITY, f64::min);
-                let at = format!("at x {:.4} y {:.4} z {:.4} mm (limit {HEAL_MM} mm)", p.x, p.y, p.z);
-                face_error(face, &format!("has a loop with a gap of {width_mm:.4} mm {at}"))
+                let widths_mm = left.iter().flat_map(ends).map(|id| (net.points[id as usize] - p).norm());
+                let width_mm = widths_mm.fold(f64::INFINITY, f64::min);
+                let at = format!("at x {:.4} y {:.4} z {:.4} mm", p.x, p.y, p.z);
+                face_error(face, &format!("has a loop with a gap of {width_mm:.4} mm {at} ({})", limit()))
             })?;
         let next = left.remove(i);
         chain.push(if turned { flip(&next) } else { next });
@@ -234,7 +239,7 @@ fn corners_of(face: &Face, one: &[Coedge], net: &EdgeNet, seam: &dyn Fn(usize) -
         let p = net.points[ends(last)[1] as usize];
         let from_mm = (net.points[ends(first)[0] as usize] - p).norm();
         let at = format!("at x {:.4} y {:.4} z {:.4} mm, {from_mm:.4} mm from its beginning", p.x, p.y, p.z);
-        return Err(face_error(face, &format!("has a loop that ends {at}, instead of closing (limit {HEAL_MM} mm)")));
+        return Err(face_error(face, &format!("has a loop that ends {at}, instead of closing ({})", limit())));
     }
     let mut out = Vec::new();
     for c in &chain {

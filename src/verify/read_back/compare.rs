@@ -74,6 +74,8 @@ struct Comparison<'a> {
     machine: &'a Machine,
     centre: WorstLine,
     direction: WorstLine,
+    /// Greatest distance of the ball centre within a line from the plan's path, mm.
+    within_mm: f64,
     /// Within polynomial lines; `None`: the program has none.
     curve: Option<WorstLine>,
     chord: WorstLine,
@@ -105,6 +107,7 @@ pub(super) fn checks(
         machine,
         centre: WorstLine::default(),
         direction: WorstLine::default(),
+        within_mm: plan.toolpath.chord_mm.max(ROUNDED_MM),
         curve: moves.iter().any(|m| m.bend.is_some()).then(WorstLine::default),
         chord: WorstLine::default(),
         missing: WorstLine::default(),
@@ -119,7 +122,7 @@ pub(super) fn checks(
     let planned = c.motion.rows().last().map_or(0.0, |r| r.t_s) - c.motion.rows().first().map_or(0.0, |r| r.t_s);
     let before = plan.leads[0].centres.len();
     let off = WorstLine { value: (time / planned - 1.0).abs(), line: 0, row: 0 };
-    let [line_mm, missing_mm] = [ROUNDED_MM, CENTRE_MM].map(|least| plan.toolpath.chord_mm.max(least));
+    let missing_mm = plan.toolpath.chord_mm.max(CENTRE_MM);
     let curve = c.curve.map(|worst| {
         (
             CheckId::ProgramCurve,
@@ -138,7 +141,7 @@ pub(super) fn checks(
             DIRECTION_DEG,
             "deg",
         ),
-        (CheckId::ProgramChord, "ball centre within a line off the planned path", c.chord, line_mm, "mm"),
+        (CheckId::ProgramChord, "ball centre within a line off the planned path", c.chord, c.within_mm, "mm"),
         (CheckId::ProgramMissing, "cutter location off the program's path", c.missing, missing_mm, "mm"),
         (CheckId::ProgramFeed, "relative difference of the time of a line", c.feed, FEED, ""),
         (CheckId::ProgramTime, "relative difference of the whole time", off, TIME, ""),
@@ -298,8 +301,8 @@ impl Comparison<'_> {
         self.feed.take(off, m.line, on.row);
     }
 
-    /// The nearest place of the plan's path, from plan move `from` on: the first that is as near as
-    /// rounding lets it be. A path that turns back on itself comes by there again.
+    /// The nearest place of the plan's path, from plan move `from` on: of the first stretch that is
+    /// near enough. A path that turns back on itself comes by there again.
     fn locate(&self, q: &Point, from: usize) -> OnPath {
         let rows = self.motion.rows();
         let mut best = OnPath { row: from, share: 0.0, distance_mm: f64::INFINITY };
@@ -307,7 +310,7 @@ impl Comparison<'_> {
             let (share, distance_mm) = to_segment(q, &rows[row].stand.centre, &rows[row + 1].stand.centre);
             if distance_mm < best.distance_mm - 1e-12 {
                 best = OnPath { row, share, distance_mm };
-            } else if best.distance_mm <= ROUNDED_MM && distance_mm > ROUNDED_MM {
+            } else if best.distance_mm <= self.within_mm && distance_mm > self.within_mm {
                 break;
             }
         }

@@ -261,7 +261,7 @@ fn failing(control: Control, plan: &Plan, change: &dyn Fn(&str) -> String) -> Ve
 /// the one that comes by there later.
 #[test]
 fn a_path_that_turns_back_comes_back_as_planned() {
-    for (at, by) in [(100, 1), (100, 3), (200, 5)] {
+    for (at, by) in [(100, 2), (100, 3), (200, 5)] {
         let plan = sample::turned_back(720, at, by);
         for control in [Control::Siemens, Control::Heidenhain, Control::Fanuc, Control::Linuxcnc, Control::Apt] {
             let found = failing(control, &plan, &|t| t.into());
