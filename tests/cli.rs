@@ -310,7 +310,7 @@ fn programs_are_checked_by_themselves(d: &Path, model: &str) {
         bladewright(&[&args[..], more].concat(), d)
     };
     for program in ["1/program.mpf", "1/program.ngc"] {
-        let out = with(program, &["--report", "findings.json", "--map", "map.glb"]);
+        let out = with(program, &["--report", "findings.json", "--map", "map.glb", "--map-tolerance", "0.02"]);
         let text = String::from_utf8_lossy(&out.stdout).into_owned();
         assert_eq!(out.status.code(), Some(0), "{text}{}", String::from_utf8_lossy(&out.stderr));
         assert!(text.contains("ok   rapid") && text.contains("ok   scallop-turn"), "{text}");
@@ -362,7 +362,7 @@ fn runs_are_joined(d: &Path, model: &str) {
     assert!(text.contains("Operation 1 of 2") && text.contains("Operation 2 of 2") && text.matches("M30").count() == 1);
     let tool = "1/job.resolved.toml";
     let judged = ["verify", "joined/program.mpf", "--part", model, "--tool", tool, "--tool", tool, "--scallop", "0.1"];
-    let out = bladewright(&[&judged[..], &["--map", "joined/both.csv"]].concat(), d);
+    let out = bladewright(&[&judged[..], &["--map", "joined/both.csv", "--map-tolerance", "0.02"]].concat(), d);
     let said = String::from_utf8_lossy(&out.stdout).into_owned();
     assert_eq!(out.status.code(), Some(0), "{said}");
     assert!(said.contains("operation  2 of 2") && said.matches("ok   rapid").count() == 2, "{said}");

@@ -197,7 +197,7 @@ fn programs_of_a_run_are_compared_with_its_plan() {
 #[test]
 fn the_frame_of_a_program_is_found() {
     let dir = tempfile::tempdir().expect("temporary folder");
-    let model = root().join("models/steam_root.step").display().to_string();
+    let model = root().join("models/turbine_camber.step").display().to_string();
     let set = ["path.scallop_mm=0.4", "verify.surface_samples=20000", "post.control=[\"siemens-vector\",\"iso\"]"];
     let set = set.map(|s| ["--set", s]).concat();
     let plan = ["--quiet", "plan", &model, "-o", "run"];

@@ -9,7 +9,8 @@
 //! What other moves take off there is no ridge: where a ball runs round a thin edge, moves before
 //! and after cut through the meeting of the two. The height is where the line up to the ridge
 //! enters the swept ball, which is the ridge itself unless another move is lower by more than
-//! chords sag.
+//! chords sag. Such a place counts by no area in percentiles: what is left there is not what these
+//! two passes leave.
 
 use super::height::{Height, REACH_SLACK, flat_stepover, lift, percentile, sort};
 use super::options::VerifyOptions;
@@ -177,7 +178,10 @@ impl Ridges<'_> {
             true => CUT * (radius - circle),
             false => CUT * across_mm * across_mm / (4.0 * (radius + beside.radius_mm)),
         };
-        let left = entry.filter(|t| *t < height_mm - sag).unwrap_or(height_mm);
+        let (left, weight) = match entry.filter(|t| *t < height_mm - sag) {
+            Some(lower) => (lower, 0.0),
+            None => (height_mm, weight),
+        };
         // A ridge over a corner that no ball can reach is not one of the stepover's.
         let lifted_mm = lift(part, &under.point, &under.normal, radius, slack_mm);
         (lifted_mm == 0.0).then_some((Height { height_mm: left, point, row, weight }, i))
@@ -271,13 +275,14 @@ mod tests {
     fn what_another_move_takes_off_is_no_ridge() {
         let (blade, path) = (sample::blade(), sample::plan(4, 180).toolpath);
         let part = Allowed::new(&blade.part, 0.0);
-        let between_1_and_2 = |sweep: &Sweep| -> Vec<f64> {
+        let ridges_1_to_2 = |sweep: &Sweep| -> Vec<Height> {
             let rows = (0..path.locations.len()).filter(|r| sweep.turns[*r] == 1).step_by(10);
             rows.filter_map(|row| Ridges { part: &part, sweep, every: 1, apart_mm: 0.01, slack_mm: 0.0002 }.at(row, 2))
-                .map(|h| h.height_mm)
                 .collect()
         };
-        let before = between_1_and_2(&Sweep::new(&path));
+        let heights = |ridges: &[Height]| -> Vec<f64> { ridges.iter().map(|h| h.height_mm).collect() };
+        let ridges_before = ridges_1_to_2(&Sweep::new(&path));
+        let before = heights(&ridges_before);
         assert!(before.len() > 10);
         // A pass midway between the two, with a number that is no neighbour's.
         let mut centres: Vec<_> = path.locations.iter().map(|l| l.centre).collect();
@@ -287,12 +292,20 @@ mod tests {
         let wanted = [vec![true; centres.len() - 1], vec![false], vec![true; middle.len() - 1]].concat();
         turns.extend(middle.iter().map(|_| 50));
         centres.extend(middle);
-        let after = between_1_and_2(&Sweep::of(centres.clone(), centres, turns, path.radius_mm, Some(wanted)));
+        let ridges_after = ridges_1_to_2(&Sweep::of(centres.clone(), centres, turns, path.radius_mm, Some(wanted)));
+        let after = heights(&ridges_after);
         assert_eq!(after.len(), before.len());
         // The ball of 5 mm leaves ridges of 6 µm between passes 0.5 mm apart; facets are farther
         // off the round part than that.
         let lower: Vec<f64> = before.iter().zip(&after).filter(|(b, _)| **b > 0.01).map(|(b, a)| b - a).collect();
         assert!(lower.len() > 10 && lower.iter().all(|l| (0.005..0.0075).contains(l)), "{lower:?}");
+        // What is left in such places says nothing of the ridges that stand.
+        let cut: Vec<&Height> =
+            ridges_after.iter().zip(&before).filter(|(a, b)| a.height_mm < **b).map(|p| p.0).collect();
+        assert!(cut.len() > 10 && cut.iter().all(|h| h.weight == 0.0), "{cut:?}");
+        let (stood, stands) =
+            [&ridges_before, &ridges_after].map(|all| all.iter().filter(|h| h.weight > 0.0).count()).into();
+        assert!(stood > stands, "{stood} {stands}");
     }
 
     #[test]
