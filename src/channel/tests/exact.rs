@@ -203,8 +203,8 @@ fn a_finer_index_decides_where_hardly_anything_is_free() {
     let finer = Surroundings::new(&blade, &[], 3.0).unwrap().finer(3.0);
     let widest = |layer: &[Free]| layer.iter().map(|f| f.hi - f.lo).fold(0.0, f64::max);
     let (mut opened, mut widened_at, mut stayed) = (0, 0, 0);
-    for k in 0..20 {
-        let clearance = 0.2 * f64::from(k);
+    for k in 0..40 {
+        let clearance = 0.1 * f64::from(k);
         let o = ChannelOptions::default().with(|s| (s.clearance_mm, s.holder_clearance_mm) = (clearance, clearance));
         let samples = samples_of(&t, &path, &o);
         let [coarse, fine] = [&usual, &finer].map(|around| around.scene(&t, &o));
