@@ -145,7 +145,14 @@ mod tests {
         let joined = Remark::EdgesJoined { count: 3, gap_mm: 0.1 + 0.2 };
         let farthest = FarthestMove { mm: 0.25, face: "face 7".into(), at_mm: [1.0, 1.0 / 3.0, -2.0] };
         let gaps = Remark::GapsClosed { count: 2, widest_mm: 0.0353, at_mm: [1.0, 1.0 / 3.0, -2.0] };
+        let folds = Remark::FoldsLeftOut { count: 1, longest_mm: 0.13, at_mm: [1.0, 1.0 / 3.0, -2.0] };
         for (remark, says, key) in [
+            (
+                folds,
+                "stretches in which edges fold back on themselves were left out: 1, the longest of 0.130 mm at (1.000, \
+                 0.333, -2.000)",
+                "longest_mm",
+            ),
             (
                 gaps,
                 "2 gaps between edges of loops were closed, the widest of 0.035 mm at (1.000, 0.333, -2.000)",

@@ -150,6 +150,15 @@ pub enum Remark {
         /// Where that is, mm.
         at_mm: [f64; 3],
     },
+    /// Stretches in which edges fold back on themselves were left out.
+    FoldsLeftOut {
+        /// How many.
+        count: usize,
+        /// Length of the longest, mm.
+        longest_mm: f64,
+        /// Where that is, mm.
+        at_mm: [f64; 3],
+    },
     /// Edges were cut where edges of neighbouring faces end.
     EdgesCut {
         /// How many.

@@ -103,6 +103,13 @@ impl fmt::Display for Remark {
                      {z:.3})"
                 )
             }
+            Remark::FoldsLeftOut { count, longest_mm, at_mm: [x, y, z] } => {
+                write!(
+                    f,
+                    "stretches in which edges fold back on themselves were left out: {count}, the longest of \
+                     {longest_mm:.3} mm at ({x:.3}, {y:.3}, {z:.3})"
+                )
+            }
             Remark::EdgesCut { count } => write!(f, "{count} edges were cut where edges of neighbouring faces end"),
             Remark::EdgesDropped { count } => {
                 write!(f, "{count} edges shorter than the sewing tolerance were dropped")

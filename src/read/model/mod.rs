@@ -16,6 +16,7 @@
 pub mod bodies;
 pub mod faces;
 mod fixture;
+mod folds;
 pub mod format;
 pub mod gltf;
 pub mod heal;

@@ -9,6 +9,7 @@ use std::path::Path;
 
 use super::bodies::{self, Body};
 use super::faces::{FaceModel, Stacking};
+use super::folds::{self, Folds};
 use super::heal::HealOptions;
 use super::orient;
 use super::published::{Prepared, Published};
@@ -205,6 +206,10 @@ pub fn from_faces(
     let doubt = if let Guess::Odd(note) = &guess { Some(note.clone()) } else { None };
     let (unit, mut obstacle) = guess.take(shape.unit, &mut diagnosis);
     observer.check(Stage::Model)?;
+    let Folds { count, longest_mm, at } = folds::leave_out(&mut shape.brep);
+    if count > 0 {
+        diagnosis.notes.push(Remark::FoldsLeftOut { count, longest_mm, at_mm: at.into() });
+    }
     let deflection_mm = finest(&shape.brep, options.deflection_mm, &mut diagnosis.notes);
     let (mut part, rescued) = rescue::part(shape.brep, deflection_mm, &SEW_MM, observer)?;
     diagnosis.notes.extend(rescued.sewn.notes());
