@@ -34,6 +34,8 @@ pub enum Control {
     /// Fanuc without tool-centre-point control, as on lathes: positions of the machine's axes,
     /// `program.axes.nc`.
     FanucAxes,
+    /// The same with NURBS interpolation (`G06.2`) of the smooth curve, `program.nurbs.nc`.
+    FanucNurbs,
     /// LinuxCNC with trivial kinematics, inverse time, `program.ngc`.
     Linuxcnc,
     /// LinuxCNC with trivial kinematics, feed per minute, `program.feed.ngc`.
@@ -47,7 +49,7 @@ pub enum Control {
 
 impl Control {
     /// All of them.
-    pub const ALL: [Control; 14] = [
+    pub const ALL: [Control; 15] = [
         Control::Siemens,
         Control::SiemensVector,
         Control::SiemensPoly,
@@ -58,6 +60,7 @@ impl Control {
         Control::Fanuc,
         Control::FanucVector,
         Control::FanucAxes,
+        Control::FanucNurbs,
         Control::Linuxcnc,
         Control::LinuxcncFeed,
         Control::Iso,

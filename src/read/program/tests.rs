@@ -564,3 +564,73 @@ fn splines_of_klartext() {
     let e = follow(&read("SPL X+2 K3X+0.5 K2X-0.2 K1X-1.302 F300").unwrap().blocks, &bench).unwrap_err();
     assert!(e.message.contains("0.002"), "{}", e.message);
 }
+
+/// Curves of rank 2 to 4, with inner knots; what is not read of them is refused with its line.
+#[test]
+fn curves_of_g_code() {
+    let head = "G90 G94 G1 X0 Y0 Z0 A0 F500\n";
+    // Rank 4 with one inner knot; the control points are those of y = x² over 0 to 3, A = 2 x³:
+    // products of knots.
+    let good = "G06.2 P4 K0 X0 Y0 A0 F900\nK0 X0.3333333333 Y0 A0 (note)\nK0 X1.3333333333 Y1 A0\nK0 X2.3333333333 Y5 A18\n\
+                K1 X3 Y9 A54\nK3\nK3\nK3\nK3\nG1 X4 F200\n";
+    let text = format!("{head}{good}");
+    let blocks = gcode(&text).unwrap();
+    assert_eq!(blocks.len(), 4);
+    assert_eq!((blocks[1].line, blocks[2].line, blocks[3].line), (5, 6, 11));
+    assert_eq!((blocks[1].feed, blocks[3].feed), (Feed::PerMinute(900.0), Feed::PerMinute(200.0)));
+    let moves = followed(&text, Grammar::Gcode, Programmed::Machine).unwrap();
+    let machine = Machine::demo().unwrap();
+    let ([x, y, _], a) = (machine.linear(), machine.turning_axis());
+    for (m, [from, to]) in [(&moves[1], [0.0, 1.0]), (&moves[2], [1.0, 3.0])] {
+        for f in [0.0, 0.2, 0.7, 1.0] {
+            let (u, at): (f64, _) = (from + (to - from) * f, m.at(f));
+            assert!((at[x] - u).abs() < 1e-9 && (at[y] - u * u).abs() < 1e-9, "{u}: {at:?}");
+            assert!((at[a].to_degrees() - 2.0 * u.powi(3)).abs() < 1e-8, "{u}: {at:?}");
+        }
+    }
+    // A polygon, and a parabola.
+    let two = gcode(&format!("{head}G6.2 P2 K0 X0\nK0 X1\nK1 X3\nK2\nK2")).unwrap();
+    assert_eq!(two.len(), 3);
+    let three = gcode(&format!("{head}G6.2 P3 K0 X0\nK0 X1\nK0 X3\nK2\nK2\nK2")).unwrap();
+    let Interpolation::Bent(bend) = three[1].course else { panic!("{:?}", three[1]) };
+    assert_eq!(bend.point[0], [1.0, 0.0, 0.0, 0.0]);
+    // Rank 4 where none is said.
+    assert!(gcode(&format!("{head}{}", good.replace("P4 ", ""))).is_ok());
+    for (from, to, says) in [
+        ("P4", "P5", "rank P5"),
+        ("P4", "P2.5", "rank P2.5"),
+        ("K0 X0 Y0 A0", "K0", "without a control point"),
+        ("K0 X1.3", "X1.3", "without its knot"),
+        ("K1 X3", "K1 Z3", "does not name"),
+        ("K1 X3", "K-1 X3", "smaller"),
+        ("K0 X2.3", "K1 X2.3", "equal knots at either end"),
+        ("K3\nK3\nK3\nK3", "K3\nK3\nK3\nK4", "equal knots at either end"),
+        ("K1 X3", "K3 X3", "within the curve"),
+        ("K3\nK3\nK3\nK3\nG1 X4 F200", "K3\nK3\nK3\nG1", "has 8 knots for 5 control points of rank 4: 9 are needed"),
+        ("K3\nK3\nK3\nK3\nG1 X4 F200", "K3\nK3\nK3", "has 8 knots for 5 control points of rank 4: 9 are needed"),
+        ("K3\nK3\nK3\nK3", "K3\nK3\nK3\nM30", "M30 within a curve"),
+        ("K3\nK3\nK3\nK3", "K3\nK3\nK3\nK3\nK3", "behind the end of its curve"),
+        ("K3\nK3\nK3\nK3", "K3\nX3 K3\nK3\nK3", "behind a knot that stands alone"),
+        ("K0 X1.3", "K0 R2 X1.3", "weights"),
+        ("K0 X1.3", "K0 I1 X1.3", "a vector within a curve"),
+        ("K0 X1.3", "K0 F100 X1.3", "F100 within a curve"),
+        ("K0 X1.3", "M8\nK0 X1.3", "M8 within a curve"),
+        ("K0 X1.3", "G55\nK0 X1.3", "G55 within a curve"),
+        ("K0 X1.3", "TRAFOOF\nK0 X1.3", "TRAFOOF within a curve"),
+        ("K0 X1.3333333333", "K0 X=IC(1.3)", "steps within a curve"),
+        ("G06.2", "G91 G06.2", "G90, G94"),
+        ("G06.2", "G93 G06.2", "G90, G94"),
+        ("G06.2", "G20 G06.2", "G90, G94"),
+        ("G06.2", "G53 G06.2", "G90, G94"),
+        ("K0 X1.3", "G91 K0 X1.3", "G91 within a curve"),
+        ("K0 X1.3", "G06.2 K0 X1.3", "has 2 knots"),
+    ] {
+        let text = format!("{head}{}", good.replacen(from, to, 1));
+        let refused = gcode(&text).map(|b| format!("{b:?}")).unwrap_err();
+        assert!(refused.message.contains(says), "{from} -> {to}: {}", refused.message);
+    }
+    // Rapids and tools wait for the end of a curve, and it begins where the tool stands.
+    assert!(gcode(&format!("{head}G06.2 K0 X0\nK0 X1\nG0 X3")).unwrap_err().message.contains("line 2 begins"));
+    let off = followed(&text.replacen("G06.2 P4 K0 X0", "G06.2 P4 K0 X0.01", 1), Grammar::Gcode, Programmed::Machine);
+    assert!(off.unwrap_err().message.contains("begins 0.01"));
+}

@@ -26,6 +26,8 @@ use crate::tool::Tool;
 const SHARE: f64 = 0.01;
 /// Words are rounded to half of this, mm; angles to as many degrees.
 const ROUNDED: f64 = 1e-8;
+/// The same of positions of axes, which are control points of curves.
+const POINTS_ROUNDED: f64 = 1e-4;
 /// What `ε` of the words makes of the derivatives, over powers of the length: of each of two lines,
 /// of three coordinates, and of the tip that turns about the ball.
 const BY_ROUNDING: [f64; 3] = [15.0, 40.0, 90.0];
@@ -74,7 +76,8 @@ pub(super) fn worst<'a>(
         // A third derivative that jumps by a share of the greatest over a line.
         let lower = [0.5 * h * h, h, 1.0];
         for k in 0..3 {
-            let rounding = WORDS * ROUNDED * BY_ROUNDING[k] / h.powi(k as i32 + 1);
+            let rounded = if a.words == Programmed::Machine { POINTS_ROUNDED } else { ROUNDED };
+            let rounding = WORDS * rounded * BY_ROUNDING[k] / h.powi(k as i32 + 1);
             let jump = (p.centre[k] - q.centre[k]).norm();
             let turn = (p.turning[k] - q.turning[k]).abs();
             out.jumps[k] = out.jumps[k].max(jump);
@@ -99,11 +102,12 @@ fn end(m: &Moved, share: f64, tool: &Tool, machine: &Machine) -> Option<End> {
     let centre: [Vector; 3] = match m.words {
         Programmed::Centre => [1, 2, 3].map(|n| term(&centre, n)),
         Programmed::Tip => {
-            let axis = tool_axis(&words, &rotary, &at, machine)?;
+            let axis = derivatives(&words, &at, machine, |row| machine.axis_at(row))?;
             [1, 2, 3].map(|n| term(&centre, n) + axis[n - 1] * lift)
         }
-        // Positions of the axes are not written as polynomials on a curve.
-        Programmed::Machine => return None,
+        Programmed::Machine => {
+            derivatives(&words, &at, machine, |row| machine.forward(row, tool.length_mm()).centre.coords)?
+        }
     };
     let [d1, d2, d3] = centre;
     let v = d1.norm();
@@ -147,20 +151,21 @@ fn series(m: &Moved, share: f64) -> Vec<Series> {
     (0..m.to.len()).map(of).collect()
 }
 
-/// Derivatives of the tool axis, first to third, where the rotary axes go by these series: by the
-/// machine's forward kinematics at places around, in differences of the sixth order, since nothing
-/// of the kinematics that programs are made with is to be used.
-fn tool_axis(words: &[Series], rotary: &[usize], at: &Axes, machine: &Machine) -> Option<[Vector; 3]> {
+/// Derivatives, first to third, of what the machine's forward kinematics make of axes that go by
+/// these series: in differences of the sixth order, since nothing of the kinematics that programs
+/// are made with is to be used.
+fn derivatives(words: &[Series], at: &Axes, machine: &Machine, of: impl Fn(&Axes) -> Vector) -> Option<[Vector; 3]> {
     // Steps in which the rotary axes turn by some hundredths of a radian.
-    let rate = rotary.iter().map(|k| words[*k].0[1].abs()).fold(0.0, f64::max);
-    let bend = rotary.iter().map(|k| words[*k].0[2].abs().sqrt()).fold(0.0, f64::max);
+    let rotary = machine.rotary();
+    let rate = rotary.clone().map(|k| words[k].0[1].abs()).fold(0.0, f64::max);
+    let bend = rotary.map(|k| words[k].0[2].abs().sqrt()).fold(0.0, f64::max);
     let h = 0.02 / rate.max(bend).max(0.02);
     let place = |t: f64| {
         let mut row = *at;
-        for k in rotary {
-            row[*k] = words[*k].0.iter().rev().fold(0.0, |sum, c| sum * t + c);
+        for (to, series) in row.iter_mut().zip(words) {
+            *to = series.0.iter().rev().fold(0.0, |sum, c| sum * t + c);
         }
-        machine.axis_at(&row)
+        of(&row)
     };
     let [a, b, c, d] = [1.0, 2.0, 3.0, 4.0].map(|k| (place(k * h), place(-k * h)));
     let o = place(0.0);

@@ -171,6 +171,16 @@ pub struct Text {
     pub turn: Vec<String>,
     /// Each cut.
     pub cut: Vec<String>,
+    /// First line of a curve, with rank, first knot and control point, and the feed of all of it:
+    /// where the plan has a programmed curve its cuts are B-splines of degree 3 then.
+    #[serde(default)]
+    pub curve_begin: Vec<String>,
+    /// Each further control point with its knot.
+    #[serde(default)]
+    pub curve_point: Vec<String>,
+    /// Each of the last four knots.
+    #[serde(default)]
+    pub curve_knot: Vec<String>,
     /// After the last cut.
     #[serde(default)]
     pub cutting_end: Vec<String>,
@@ -304,6 +314,9 @@ pub struct Dialect {
     pub(super) cutting: Vec<TemplateLine>,
     pub(super) turn: Vec<TemplateLine>,
     pub(super) cut: Vec<TemplateLine>,
+    pub(super) curve_begin: Vec<TemplateLine>,
+    pub(super) curve_point: Vec<TemplateLine>,
+    pub(super) curve_knot: Vec<TemplateLine>,
     pub(super) cutting_end: Vec<TemplateLine>,
     pub(super) leave: Vec<TemplateLine>,
     pub(super) retract: Vec<TemplateLine>,
@@ -327,6 +340,7 @@ impl Control {
             Control::Fanuc => include_str!("../../../models/posts/fanuc.toml"),
             Control::FanucVector => include_str!("../../../models/posts/fanuc_vector.toml"),
             Control::FanucAxes => include_str!("../../../models/posts/fanuc_axes.toml"),
+            Control::FanucNurbs => include_str!("../../../models/posts/fanuc_nurbs.toml"),
             Control::Linuxcnc => include_str!("../../../models/posts/linuxcnc.toml"),
             Control::LinuxcncFeed => include_str!("../../../models/posts/linuxcnc_feed.toml"),
             Control::Iso => include_str!("../../../models/posts/iso.toml"),
@@ -393,6 +407,9 @@ impl Dialect {
             cutting: take("text.cutting", &t.cutting)?,
             turn: take("text.turn", &t.turn)?,
             cut: take("text.cut", &t.cut)?,
+            curve_begin: take("text.curve_begin", &t.curve_begin)?,
+            curve_point: take("text.curve_point", &t.curve_point)?,
+            curve_knot: take("text.curve_knot", &t.curve_knot)?,
             cutting_end: take("text.cutting_end", &t.cutting_end)?,
             leave: take("text.leave", &t.leave)?,
             retract: filled("text.retract", &t.retract, LOOK_AHEAD_END, &t.look_ahead_end)?,
@@ -412,6 +429,11 @@ impl Dialect {
     /// File name of its programs.
     pub fn file_name(&self) -> &str {
         &self.file.file
+    }
+
+    /// Curves are written as control points and knots.
+    pub(super) fn has_curves(&self) -> bool {
+        !self.curve_begin.is_empty()
     }
 
     /// The table turns in under tool-centre-point control.
@@ -482,6 +504,37 @@ impl PostFile {
         .map(|(name, _, mark, _)| format!("text.{name} has lines, but no line {mark} stands for them"))
     }
 
+    /// What is wrong with lines of curves.
+    fn curves_do_not_fit(&self) -> Option<String> {
+        let t = &self.text;
+        let lines = [("curve_begin", &t.curve_begin), ("curve_point", &t.curve_point), ("curve_knot", &t.curve_knot)];
+        if lines.iter().all(|(_, l)| l.is_empty()) {
+            return None;
+        }
+        let place = ["{knot}", "{x}", "{y}", "{z}", "{a}"];
+        for ((name, line), keys) in lines.into_iter().zip([&place[..], &place, &place[..1]]) {
+            if line.len() != 1 {
+                return Some(format!(
+                    "text.{name} must be one line, as curve_begin, curve_point and curve_knot all are"
+                ));
+            }
+            if let Some(missing) = keys.iter().find(|key| !line.concat().contains(**key)) {
+                return Some(format!("text.{name} must have {missing}"));
+            }
+        }
+        if !t.curve_begin.concat().contains("{f}") {
+            return Some("text.curve_begin must have {f}".into());
+        }
+        let fits = self.grammar == Grammar::Gcode && self.poly_degree.is_none() && self.feed != FeedWord::InverseTime;
+        if !fits || self.rotary != Rotary::Accumulate || !self.modal.is_empty() {
+            return Some(
+                "curves need grammar = \"gcode\", rotary = \"accumulate\", F in mm/min, no modal words and no poly_degree"
+                    .into(),
+            );
+        }
+        None
+    }
+
     fn validate(&self, origin: &str) -> Result<()> {
         let no = |what: &str| Err(bad(origin, what.into()));
         let plain = |name: &str| {
@@ -527,6 +580,9 @@ impl PostFile {
         }
         if self.grammar != Grammar::Gcode && two.iter().any(|(_, text)| text.is_some()) {
             return no("pinch and pinch_channels need grammar = \"gcode\"");
+        }
+        if let Some(what) = self.curves_do_not_fit() {
+            return no(&what);
         }
         let cut = self.text.cut.concat();
         let polynomial = ["{px}", "{py}", "{pz}"].map(|key| cut.contains(key));

@@ -3,7 +3,7 @@
 //! **In**: a [`Verified`] plan, the blade, the tool, the machine, a [`Dialect`]. **Out**: a
 //! [`Program`], plain ASCII text.
 //!
-//! A dialect is a *post file* (TOML, [`PostFile`]): twelve are built in
+//! A dialect is a *post file* (TOML, [`PostFile`]): fifteen are built in
 //! ([`crate::artifact::program::Control`]), an own one needs no recompiling. Three kinds of
 //! coordinates cover them: the tool tip or the ball centre in the blade frame, for controls with
 //! tool-centre-point control, or positions of the machine's axes. With `B` fixed the tool axis lies
@@ -41,6 +41,7 @@ mod dialect;
 mod fixed;
 mod merge;
 mod moves;
+mod nurbs;
 pub mod pinch;
 mod pinch_text;
 mod polynomial;

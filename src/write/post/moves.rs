@@ -44,6 +44,9 @@ pub(super) struct Move {
     pub(super) stretch: Stretch,
     /// How its words bend on the way.
     pub(super) bend: Option<WordBends>,
+    /// Length of its piece of the programmed curve, in the curve's own parameter, mm; 0 where it is
+    /// none.
+    pub(super) span_mm: f64,
     /// Its words where they are not to the last digit those of the stand, mm and degrees, a column
     /// for each axis of the machine, those of X, Y, Z being the programmed point.
     pub(super) words: Option<Axes>,
@@ -58,6 +61,7 @@ impl Move {
             t_s,
             stretch,
             bend: None,
+            span_mm: 0.0,
             words: None,
         };
         plan.rows().zip(plan.axes()).map(one)
@@ -128,29 +132,41 @@ pub(super) fn all(run: &OperationRun, programmed: Programmed) -> Result<Vec<Move
     let plan = run.plan;
     let mut out: Vec<Move> = Vec::with_capacity(plan.toolpath.locations.len());
     for (row, next) in Move::rows(plan).enumerate() {
-        if let Some(from) = out.last().copied() {
-            let parts = parts(run, programmed, &from, &next);
-            if parts > MOST_PARTS {
-                return Err(Error::infeasible(
-                    Stage::Post,
-                    format!("the move to row {row} of the motion turns so far that it would take {parts} blocks to keep the chord tolerance of {} mm", plan.toolpath.chord_mm),
-                    Infeasible::MoveTurnsTooFar { row, lines: parts, most_lines: MOST_PARTS, chord_mm: plan.toolpath.chord_mm },
-                )
-                .advise("allow a larger path.chord_mm, or plan closer locations with path.max_step_mm"));
-            }
-            for k in 1..parts {
-                let f = k as f64 / parts as f64;
-                out.push(Move {
-                    stand: plan.schedule.between(&from.stand, &next.stand, f),
-                    t_s: from.t_s + (next.t_s - from.t_s) * f,
-                    stretch: Motion::stretch_between(from.stretch, next.stretch),
-                    ..from
-                });
-            }
+        match out.last().copied() {
+            Some(from) => out.extend(straight(run, programmed, row, (&from, &next))?),
+            None => out.push(next),
         }
-        out.push(next);
     }
     Ok(out)
+}
+
+/// The straight moves to a row of the plan from the one before.
+pub(super) fn straight(
+    run: &OperationRun,
+    programmed: Programmed,
+    row: usize,
+    (from, next): (&Move, &Move),
+) -> Result<Vec<Move>> {
+    let plan = run.plan;
+    let parts = parts(run, programmed, from, next);
+    if parts > MOST_PARTS {
+        return Err(Error::infeasible(
+            Stage::Post,
+            format!("the move to row {row} of the motion turns so far that it would take {parts} blocks to keep the chord tolerance of {} mm", plan.toolpath.chord_mm),
+            Infeasible::MoveTurnsTooFar { row, lines: parts, most_lines: MOST_PARTS, chord_mm: plan.toolpath.chord_mm },
+        )
+        .advise("allow a larger path.chord_mm, or plan closer locations with path.max_step_mm"));
+    }
+    let part = |k: usize| {
+        let f = k as f64 / parts as f64;
+        Move {
+            stand: plan.schedule.between(&from.stand, &next.stand, f),
+            t_s: from.t_s + (next.t_s - from.t_s) * f,
+            stretch: Motion::stretch_between(from.stretch, next.stretch),
+            ..*from
+        }
+    };
+    Ok((1..parts).map(part).chain([*next]).collect())
 }
 
 /// In how many equal parts a move has to be written: the deviation falls with the square of their

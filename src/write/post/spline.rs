@@ -224,7 +224,7 @@ impl CurveRun<'_> {
             let end = if i + 1 == breaks.spans() { self.moves[self.before + self.ends[1]] } else { self.at(b) };
             let start = self.at(a);
             let stretch = if i + 1 == breaks.spans() { end.stretch } else { start.stretch };
-            Move { bend: Some(bend), words: Some(words), stretch, ..end }
+            Move { bend: Some(bend), span_mm: b - a, words: Some(words), stretch, ..end }
         };
         (0..breaks.spans()).map(of).collect()
     }

@@ -22,7 +22,7 @@ pub(super) enum Class {
 }
 
 /// All values that lines may use, with what they are and what they mean.
-pub const KEYS: [(&str, Class, &str); 60] = [
+pub const KEYS: [(&str, Class, &str); 61] = [
     ("x", Class::Length, "X of the programmed point, mm"),
     ("y", Class::Length, "Y of the programmed point, mm"),
     ("z", Class::Length, "Z of the programmed point, mm"),
@@ -71,6 +71,7 @@ pub const KEYS: [(&str, Class, &str); 60] = [
     ("kz", Class::Text, "the same of z"),
     ("ka", Class::Text, "the same of a"),
     ("kb_moving", Class::Text, "the same of b; left out where that axis stands still while the blade turns"),
+    ("knot", Class::Text, "knot of a line of a curve, micrometres along the path of the ball, from 0"),
     ("i", Class::Direction, "tool axis along blade x"),
     ("j", Class::Direction, "tool axis along blade y"),
     ("k", Class::Direction, "tool axis along blade z"),

@@ -3,7 +3,9 @@
 use super::dialect::{Dialect, FeedWord, Rotary};
 use super::fixed::Fixed;
 use super::moves::{self, Move, WordBends};
+use super::nurbs::{self, Piece};
 use super::polynomial;
+use super::spline;
 use super::template::{Class, KEYS, TemplateLine, TemplateWord, Value, WordPiece, key};
 use super::text::{Lines, ascii, header, title};
 use super::{OperationRun, WayEnd, cycle, merge, smoothing, turn_in};
@@ -361,6 +363,11 @@ impl<'a> Writer<'a> {
         };
         let moves = match (dialect.file.poly_degree, dialect.file.feed) {
             (Some(degree), _) => polynomial::all(self.run, degree, dialect.file.has_spline_lines(), &words)?,
+            (None, _) if let Some(curve) = self.run.plan.curve.as_ref().filter(|_| dialect.has_curves()) => {
+                spline::all(self.run, curve, nurbs::DEGREE, &words, |_, row, from, to, _| {
+                    moves::straight(self.run, dialect.file.programmed, row + 1, (from, to))
+                })?
+            }
             (None, FeedWord::PerMinute | FeedWord::PerMinuteOfAll) => moves::all(self.run, dialect.file.programmed)?,
             (None, FeedWord::InverseTime) => {
                 let least_s = 60.0 / dialect.file.feed_range().greatest;
@@ -372,18 +379,26 @@ impl<'a> Writer<'a> {
         // The move to a turn's first location still cuts the turn before.
         let mut begun = None;
         let mut stretch = moves.first().map_or(Stretch::Turn(0), |m| m.stretch);
-        for Move { stand, near, t_s, stretch: next, bend, words } in &moves {
+        let mut k = 0;
+        while let Some(Move { t_s, stretch: next, bend, .. }) = moves.get(k) {
+            if let (true, Some((_, since, _))) = (dialect.has_curves() && bend.is_some(), &last) {
+                if begun != Some(stretch) {
+                    begun = Some(stretch);
+                    self.begin(stretch)?;
+                }
+                let pieces = self.curves(&moves[k..], stretch, *since)?;
+                k += pieces;
+                written += pieces;
+                let end = &moves[k - 1];
+                last = Some((self.position(lines)?, end.t_s, self.placed_as_said(end)));
+                stretch = end.stretch;
+                continue;
+            }
+            k += 1;
             if *next == Stretch::LeadOut {
                 stretch = *next;
             }
-            let mut placed = self.placed(stand, near);
-            if let Some(words) = words {
-                placed.point = self.run.machine.linear().map(|k| words[k]);
-                placed.a_deg = words[self.run.machine.turning_axis()];
-                if let Some(k) = self.leaning() {
-                    placed.axes[k] = words[k].to_radians();
-                }
-            }
+            let placed = self.placed_as_said(&moves[k - 1]);
             let before = self.stands;
             self.take(&placed, bend.as_ref())?;
             let position = self.position(lines)?;
@@ -416,6 +431,88 @@ impl<'a> Writer<'a> {
             ));
         }
         Ok(())
+    }
+
+    /// The end of a move, its words as it says itself where it does.
+    fn placed_as_said(&self, end: &Move) -> PlacedPose {
+        let placed = self.placed(&end.stand, &end.near);
+        match &end.words {
+            Some(words) => self.with_words(placed, words),
+            None => placed,
+        }
+    }
+
+    /// The same with other words, mm and degrees.
+    fn with_words(&self, mut placed: PlacedPose, words: &[f64]) -> PlacedPose {
+        placed.point = self.run.machine.linear().map(|k| words[k]);
+        placed.a_deg = words[self.run.machine.turning_axis()];
+        if let Some(k) = self.leaning() {
+            placed.axes[k] = words[k].to_radians();
+        }
+        placed
+    }
+
+    /// Writes the pieces that moves begin with, as far as they belong to one stretch, as curves;
+    /// how many they are. The first begins at a time, s.
+    fn curves(&mut self, moves: &[Move], stretch: Stretch, since: f64) -> Result<usize> {
+        let Some(from) = self.exact else { return Ok(0) };
+        let (mut from, mut since, mut pieces) = (from, since, Vec::new());
+        for (k, end) in moves.iter().enumerate() {
+            let (Some(bend), Some(to)) = (end.bend, end.words) else { break };
+            // The piece to a turn's first location still cuts the turn before.
+            if k > 0 && moves[k - 1].stretch != stretch {
+                break;
+            }
+            let (way, dt_s) = (self.way(&from, &to, &bend), end.t_s - since);
+            pieces.push(Piece { bend, to, span_mm: end.span_mm, way, dt_s });
+            (from, since) = (to, end.t_s);
+        }
+        let mut done = 0;
+        while done < pieces.len() {
+            let count = nurbs::together(&pieces[done..]);
+            self.curve(&pieces[done..done + count], &moves[done..done + count])?;
+            done += count;
+        }
+        Ok(done)
+    }
+
+    /// Writes one curve of pieces, which end with these moves.
+    fn curve(&mut self, pieces: &[Piece], ends: &[Move]) -> Result<()> {
+        let (dialect, decimals) = (self.dialect, self.dialect.file.numbers.length_decimals);
+        let (Some(from), Some(last)) = (self.exact, ends.last()) else { return Ok(()) };
+        let knots = nurbs::knots(pieces);
+        let points = nurbs::control_points(&from, pieces, &knots);
+        let (way, dt_s) = pieces.iter().fold((0.0, 0.0), |(way, dt_s), p| (way + p.way, dt_s + p.dt_s));
+        let f = self.feed_text(60.0 * way / dt_s, last.t_s, dt_s)?;
+        self.set("f", Value::Text(f));
+        for (j, point) in points.iter().enumerate() {
+            let placed = self.with_words(self.placed(&last.stand, &last.near), point);
+            self.take(&placed, None)?;
+            self.set("knot", Value::Text(format!("{:.decimals$}", knots[j])));
+            self.put(if j == 0 { &dialect.curve_begin } else { &dialect.curve_point })?;
+            // A piece is known from the fourth of its control points on.
+            if let Some(end) = j.checked_sub(3).and_then(|i| ends.get(i)) {
+                self.lines.cut_until(end.t_s);
+            }
+        }
+        for knot in &knots[points.len()..] {
+            self.set("knot", Value::Text(format!("{knot:.decimals$}")));
+            self.put(&dialect.curve_knot)?;
+        }
+        Ok(())
+    }
+
+    /// What F counts along a polynomial between words, mm and degrees.
+    fn way(&self, from: &Axes, to: &Axes, bend: &WordBends) -> f64 {
+        let machine = self.run.machine;
+        let linear = machine.linear();
+        let way = polynomial::length(&linear.map(|k| from[k]), &linear.map(|k| to[k]), linear.map(|k| bend[k]));
+        let turn = machine.rotary().map(|k| to[k] - from[k]).fold(0.0, f64::hypot);
+        match self.dialect.file.feed {
+            FeedWord::PerMinuteOfAll => way.hypot(turn),
+            FeedWord::PerMinute | FeedWord::InverseTime if way > 0.0 => way,
+            FeedWord::PerMinute | FeedWord::InverseTime => turn,
+        }
     }
 
     /// Says what the lines that follow belong to.
@@ -489,7 +586,12 @@ impl<'a> Writer<'a> {
                 60.0 * if way > 0.0 { way } else { turn } / dt_s
             }
         };
-        let range = file.feed_range();
+        self.feed_text(f, t_s, dt_s)
+    }
+
+    /// F of lines that end at a time and take one, s.
+    fn feed_text(&self, f: f64, t_s: f64, dt_s: f64) -> Result<String> {
+        let (file, range) = (&self.dialect.file, self.dialect.file.feed_range());
         moves::feed_word(f, &range).ok_or_else(|| {
             let what = format!(
                 "{}: the line that ends {t_s:.3} s after the beginning and takes {:.3} ms would need F {f:.6}, the control reads {} to {}",

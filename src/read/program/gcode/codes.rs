@@ -131,6 +131,7 @@ pub(super) fn preparatory(word: &CodeWord, modal: &mut Modal, said: &mut LineWor
         "1" => modal.motion = Some(ModalMotion::Straight),
         "2" => modal.motion = Some(ModalMotion::Arc { clockwise: true }),
         "3" => modal.motion = Some(ModalMotion::Arc { clockwise: false }),
+        "6.2" => (modal.motion, said.begins_curve) = (Some(ModalMotion::Curve), true),
         "4" => said.bare = Some(Bare::Dwell),
         "17" => modal.plane = Plane::Xy,
         "18" => modal.plane = Plane::Zx,

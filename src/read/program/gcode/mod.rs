@@ -6,6 +6,7 @@ mod axes;
 mod codes;
 mod frames;
 mod modal;
+mod nurbs;
 mod subprograms;
 mod words;
 
@@ -15,6 +16,7 @@ use super::walk::Walk;
 use crate::artifact::program::Turning;
 use crate::error::Result;
 use modal::{Centre, Modal, ModalMotion, Plane};
+use nurbs::Curve;
 use subprograms::{Jump, Subprograms};
 pub(super) use words::code;
 use words::{CodeWord, Constants};
@@ -50,6 +52,8 @@ struct LineWords {
     /// Length of the interval of `p`.
     interval: Option<f64>,
     ijk: [Option<f64>; 3],
+    /// `G06.2` stands in the line.
+    begins_curve: bool,
     /// `R`, `CR`.
     radius: Option<f64>,
     /// `RPL`.
@@ -115,6 +119,9 @@ pub(super) fn read(text: &str) -> Result<Script> {
         !lines[*i].trim_start().starts_with('%') && !subprograms.has_called(*i, &reader.called) && says()
     });
     reader.script.behind = behind.map(|i| i + 1).collect();
+    if let Some(curve) = &reader.curve {
+        return Err(at_end(curve.unfinished()));
+    }
     Ok(reader.finished())
 }
 
@@ -156,6 +163,8 @@ struct GcodeReader {
     constants: Constants,
     /// First lines of the subprograms that have been called, from 0.
     called: Vec<usize>,
+    /// A curve that is not whole yet.
+    curve: Option<Curve>,
 }
 
 impl GcodeReader {
@@ -192,6 +201,9 @@ impl GcodeReader {
         words: &[CodeWord],
         subprograms: &Subprograms,
     ) -> std::result::Result<Option<Jump>, String> {
+        if let Some(word) = words.iter().find(|w| self.curve.is_some() && !nurbs::knows(w)) {
+            return Err(format!("{} within a curve is not read", word.raw));
+        }
         let mut said = LineWords::default();
         let centre = self.modal.centre;
         // Preparatory functions count for the whole line, wherever they stand.
@@ -278,7 +290,11 @@ impl GcodeReader {
         } else {
             let gone = home.then(|| self.modal.gone(number, &said));
             let motion = if home { Some(ModalMotion::Rapid) } else { self.modal.motion };
-            if !home || said.goes(self.modal.steps) {
+            if motion == Some(ModalMotion::Curve) {
+                self.curve(number, &said)?;
+            } else if let Some(curve) = &self.curve {
+                return Err(curve.unfinished());
+            } else if !home || said.goes(self.modal.steps) {
                 let block = self.modal.block(number, motion, said)?;
                 block.into_iter().for_each(|b| self.push(b));
             }
@@ -288,6 +304,42 @@ impl GcodeReader {
             self.script.ends(number);
         }
         Ok(jump)
+    }
+
+    /// A line under `G06.2`.
+    fn curve(&mut self, number: usize, said: &LineWords) -> std::result::Result<(), String> {
+        if said.begins_curve {
+            if let Some(curve) = &self.curve {
+                return Err(curve.unfinished());
+            }
+            self.modal.curve(said)?;
+            self.curve = Some(Curve::begun(number, said)?);
+            return Ok(());
+        }
+        let Some(mut curve) = self.curve.take() else {
+            let says = said.moves() || said.feed.is_some();
+            return if says {
+                Err("a line behind the end of its curve: G06.2 begins another, G1 a straight move".into())
+            } else {
+                Ok(())
+            };
+        };
+        if !said.moves() {
+            self.curve = Some(curve);
+            return Ok(());
+        }
+        if said.ways.as_flattened().iter().any(Option::is_some) {
+            return Err("steps within a curve are not read".into());
+        }
+        if !curve.take(number, said)? {
+            self.curve = Some(curve);
+            return Ok(());
+        }
+        for piece in curve.pieces() {
+            let block = self.modal.piece(piece)?;
+            self.push(block);
+        }
+        Ok(())
     }
 
     /// `CYCLE800`: where the linear axes go is the machine's.
@@ -368,7 +420,10 @@ impl LineWords {
         let moves = self.moves();
         let (p, q) = (self.p, self.q);
         let good = match self.bare {
-            None => p.is_none() || self.blends || matches!(modal.motion, Some(ModalMotion::Arc { .. })) && moves,
+            None => {
+                let has_rank = self.begins_curve || matches!(modal.motion, Some(ModalMotion::Arc { .. })) && moves;
+                p.is_none() || self.blends || has_rank
+            }
             Some(Bare::Call | Bare::Unscaled | Bare::Dwell | Bare::Square) => p.is_none(),
             Some(Bare::Precision) => p == Some(10_000.0) || p == Some(0.0),
             Some(Bare::Ahead) => p == Some(1.0) || p == Some(0.0),

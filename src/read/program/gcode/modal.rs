@@ -1,6 +1,7 @@
 //! What stays from line to line, and the move that it makes of the words of a line.
 
 use super::frames::Frames;
+use super::nurbs::CurvePiece;
 use super::{LineWords, axes};
 use crate::artifact::program::{LengthOffset, Setting};
 use crate::geometry::Vector;
@@ -12,6 +13,8 @@ pub(super) enum ModalMotion {
     Rapid,
     Straight,
     Polynomial,
+    /// `G06.2`.
+    Curve,
     /// `G2` and `G3`.
     Arc {
         clockwise: bool,
@@ -113,6 +116,7 @@ impl Modal {
         let place = self.place(motion, &said)?;
         let course = match motion {
             ModalMotion::Polynomial => Interpolation::Bent(axes::bend(&said, self.with_path)?),
+            ModalMotion::Curve => return Err("a move within a curve".into()),
             ModalMotion::Arc { clockwise } => Interpolation::Arc(self.arc(clockwise, &said)?),
             ModalMotion::Rapid | ModalMotion::Straight if said.radius.is_some() || said.turns.is_some() => {
                 return Err("words of an arc without G2 or G3".into());
@@ -129,24 +133,42 @@ impl Modal {
             return Err("steps in positions of the axes are not read".into());
         }
         self.placed |= !said.machine && said.point.iter().any(Option::is_some);
+        let block = Block { steps, ways, course, machine: said.machine, ..self.as_set(line, place, feed)? };
+        Ok(Some(Block { tool_length: block.tool_length && (!said.machine || said.with_length), ..block }))
+    }
+
+    /// A straight move to a place under what is set.
+    fn as_set(&self, line: usize, place: Destination, feed: Feed) -> std::result::Result<Block, String> {
         let (centre_point, length) = (self.centre != Centre::Off, self.offset()?);
         // Under tool-centre-point control the length is in the transformation.
         let added = matches!(length, LengthOffset::Number(_) | LengthOffset::Edge(_)) && !centre_point;
-        Ok(Some(Block {
-            place,
-            steps,
-            ways,
-            course,
+        Ok(Block {
             great_circle: self.great_circle,
             frame: self.frames.all(),
             in_plane: self.frames.has_plane() && !centre_point,
-            machine: said.machine,
-            tool_length: added && (!said.machine || said.with_length),
+            tool_length: added,
             centre_point,
             fixed_by: self.fixed_by,
             setting: Setting { length, ..self.setting },
             ..Block::straight(line, place, feed)
-        }))
+        })
+    }
+
+    /// A curve begins: what is set lets it, and its F counts.
+    pub fn curve(&mut self, said: &LineWords) -> std::result::Result<(), String> {
+        if self.inverse || self.steps || self.inch || said.machine {
+            return Err("G06.2 is read under G90, G94 and in mm".into());
+        }
+        self.feed = said.feed.or(self.feed);
+        self.placed |= said.point.iter().any(Option::is_some);
+        Ok(())
+    }
+
+    /// A piece of a curve.
+    pub fn piece(&self, piece: CurvePiece) -> std::result::Result<Block, String> {
+        let feed = self.feed(ModalMotion::Curve, None)?;
+        let block = self.as_set(piece.line, piece.place, feed)?;
+        Ok(Block { course: Interpolation::Bent(piece.bend), ..block })
     }
 
     /// The arc of a line.

@@ -387,6 +387,7 @@ fn programs_are_as_kept_in_snapshots() {
         let plan = match control {
             // A curve to be carried, its pieces longer than the moves.
             Control::SiemensPoly => sample::with_leads(sample::with_curve(plan.clone(), 0.02, 2.5)),
+            Control::FanucNurbs => sample::with_leads(sample::on_curve(sample::plan(1, 90), 0.05, 23.0, 3)),
             _ => plan.clone(),
         };
         let p = program(control, plan, false, &whole).unwrap();

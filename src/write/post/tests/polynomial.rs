@@ -171,6 +171,21 @@ fn post_files_that_mix_up_polynomials_are_refused() {
         let e = Dialect::from_toml(&text, "p.toml").unwrap_err();
         assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{}", e.message);
     }
+    let good = Control::FanucNurbs.post_file();
+    for (from, to, says) in [
+        ("curve_knot = [\"K{knot}\"]", "", "text.curve_knot must be one line"),
+        ("curve_knot = [\"K{knot}\"]", "curve_knot = [\"K\"]", "text.curve_knot must have {knot}"),
+        ("K{knot} X{x} Y{y} Z{z} {a_name}{a} {b_name}{b_moving}\"]", "K{knot} X{x} Y{y} Z{z}\"]", "must have {a}"),
+        (" F{f}\"]\ncurve_point", "\"]\ncurve_point", "curve_begin must have {f}"),
+        ("feed = \"per-minute-of-all\"", "feed = \"inverse-time\"", "curves need"),
+        ("rotary = \"accumulate\"", "rotary = \"modulo\"", "curves need"),
+        ("longest_line = 120", "longest_line = 120\nmodal = [\"x\"]", "curves need"),
+    ] {
+        let text = good.replacen(from, to, 1);
+        assert_ne!(text, good, "{from}");
+        let e = Dialect::from_toml(&text, "p.toml").unwrap_err();
+        assert!(e.kind == ErrorKind::Usage && e.message.contains(says), "{from}: {}", e.message);
+    }
 }
 
 /// A plan on a programmed curve goes as one spline: fewer blocks than ways between locations, ball
@@ -246,4 +261,79 @@ fn spline_lines_carry_the_curve_and_two_derivatives() {
     assert!(refused.message.contains("spline begins 0.00"), "{}", refused.message);
     let unfinished = Program { text: good.text.replacen(" K1X", " Q1X", 1), ..good.clone() };
     assert!(read(&unfinished).is_err());
+}
+
+/// The same as curves of control points and knots: all pieces of a curve are one B-spline, and a
+/// control point, a knot or a feed that is off is found or refused.
+#[test]
+fn curves_of_control_points_carry_the_curve_and_two_derivatives() {
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    let plan = sample::with_leads(sample::on_curve(sample::plan(2, 180), 0.05, 23.0, 3));
+    let good = program(Control::FanucNurbs, plan.clone(), false, &options()).unwrap();
+    let read = |p: &Program| read_back(p, &plan, &blade, &tool, &machine);
+    for c in read(&good).unwrap() {
+        assert!(c.passed, "{} is {} {} at {}", c.id, c.worst, c.unit, c.note);
+        if c.id == CheckId::ProgramJoints {
+            assert!(c.worst < 0.5 && c.note.contains("joints"), "{} {}", c.worst, c.note);
+        }
+    }
+    let begins: Vec<usize> =
+        (1..).zip(good.text.lines()).filter(|(_, l)| l.contains("G06.2 P4 K")).map(|(i, _)| i).collect();
+    let points = good.text.lines().filter(|l| l.contains('K') && l.contains(" Z")).count();
+    let moves = polynomials(&good, &tool, &machine);
+    assert_eq!(moves.len(), points - 3 * begins.len());
+    assert!(begins.len() >= 2 && moves.len() > 3 * begins.len(), "{} {}", begins.len(), moves.len());
+    // Every piece has its line and its time, in order.
+    let lines: Vec<usize> = good.cut_lines.iter().map(|c| c.line).collect();
+    assert!(moves.iter().all(|m| lines.contains(&m.line)));
+    assert!(good.cut_lines.windows(2).all(|w| w[0].line < w[1].line && w[0].until_s <= w[1].until_s));
+    // Within a curve two derivatives by its parameter meet to what floating-point numbers hold. A
+    // piece goes from the knot of its line to that of the next.
+    let [_, y, _] = machine.linear();
+    let knot = |line: usize| -> f64 {
+        let text = good.text.lines().nth(line - 1).unwrap();
+        text.split(' ').find_map(|w| w.strip_prefix('K')).unwrap().parse().unwrap()
+    };
+    let at = |m: &Moved, p: f64| {
+        let ([a2, a3, ..], h) = (m.bend.unwrap()[y], knot(m.line + 1) - knot(m.line));
+        let even = m.to[y] - m.from[y] - a2 - a3;
+        [(even + 2.0 * a2 * p + 3.0 * a3 * p * p) / h, (2.0 * a2 + 6.0 * a3 * p) / (h * h)]
+    };
+    let within: Vec<&[Moved]> = moves.windows(2).filter(|w| w[1].line == w[0].line + 1).collect();
+    assert!(within.len() > 10);
+    for w in within {
+        let ([slope, bend], [slope_after, bend_after]) = (at(&w[0], 1.0), at(&w[1], 0.0));
+        assert!((slope - slope_after).abs() < 1e-10 && (bend - bend_after).abs() < 1e-12, "line {}", w[1].line);
+    }
+    // The longest curve.
+    let first = begins.windows(2).max_by_key(|w| w[1] - w[0]).unwrap()[0];
+    let with = |line: usize, word: &str, to: &dyn Fn(f64) -> f64| {
+        let changed = |(i, l): (usize, &str)| {
+            let one = |w: &str| match w.strip_prefix(word).filter(|_| i + 1 == line) {
+                Some(v) => format!("{word}{:.4}", to(v.parse::<f64>().unwrap())),
+                None => w.to_owned(),
+            };
+            l.split(' ').map(one).collect::<Vec<_>>().join(" ")
+        };
+        let text = good.text.lines().enumerate().map(changed).collect::<Vec<_>>().join("\n");
+        assert_ne!(text, good.text.trim_end(), "{word}");
+        Program { text, ..good.clone() }
+    };
+    let failed =
+        |p: &Program| -> Vec<CheckId> { read(p).unwrap().into_iter().filter(|c| !c.passed).map(|c| c.id).collect() };
+    // A control point within the curve moves it; one beside its end turns it there.
+    assert!(failed(&with(first + 4, "Y", &|y| y + 0.02)).contains(&CheckId::ProgramCentre));
+    assert!(failed(&with(first + 1, "Y", &|y| y + 0.02)).contains(&CheckId::ProgramJoints));
+    assert!(failed(&with(first, "F", &|f| 0.5 * f)).contains(&CheckId::ProgramTime));
+    for (planted, says) in [
+        (with(first, "Y", &|y| y + 0.004), "begins 0.004"),
+        (with(first + 3, "K", &|_| 0.5), "equal knots"),
+        (with(first + 5, "K", &|_| 0.0), "smaller"),
+        (with(first, "P", &|_| 7.0), "rank P7"),
+        (Program { text: good.text.replacen("\nK0.0000 ", "\nK0.0000 R2.0 ", 1), ..good.clone() }, "weights"),
+        (Program { text: good.text.replacen("\nK0.0000 ", "\n", 1), ..good.clone() }, "without its knot"),
+    ] {
+        let refused = read(&planted).unwrap_err();
+        assert!(refused.message.contains(says), "{says}: {}", refused.message);
+    }
 }

@@ -296,6 +296,7 @@ fn time_goes_where_the_header_and_the_figures_say() {
             | Control::Iso
             | Control::Fanuc
             | Control::FanucAxes
+            | Control::FanucNurbs
             | Control::FanucVector
             | Control::HeidenhainSpl => {
                 assert!(turned > 19.0 * std::f64::consts::TAU, "{control:?} {turned}");
@@ -331,7 +332,9 @@ fn headers_say_what_the_program_relies_on_and_how_large_it_is() {
             Control::Heidenhain | Control::HeidenhainSpl | Control::HeidenhainVector => {
                 "CAUTION  L of tool T1 is to the ball CENTRE: 135.0000 mm"
             }
-            Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso | Control::FanucAxes => "G54 must be zero",
+            Control::Linuxcnc | Control::LinuxcncFeed | Control::Iso | Control::FanucAxes | Control::FanucNurbs => {
+                "G54 must be zero"
+            }
             Control::Apt => "LOADTL",
         };
         assert!(head.contains(names), "{control:?}");
