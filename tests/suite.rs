@@ -9,6 +9,7 @@ mod batch_kill;
 mod channel_cli;
 mod cli;
 mod closed_forms;
+mod compare;
 mod corner;
 mod corpus;
 mod corpus_edges;
