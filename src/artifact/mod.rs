@@ -50,7 +50,7 @@ pub use section::Section;
 pub use stand::Stand;
 pub use tool_part::ToolPart;
 pub use toolpath::Toolpath;
-pub use wheel::Wheel;
+pub use wheel::{RotorFrame, Wheel};
 
 /// The word by which files and the command line know a value: that of a variant without fields.
 fn word(value: &impl serde::Serialize) -> String {

@@ -60,6 +60,50 @@ impl Wheel {
     }
 }
 
+/// Cylindrical coordinates about a rotor axis, the angle from the blade in hand.
+pub struct RotorFrame {
+    wheel: Wheel,
+    radial: Vector,
+    round: Vector,
+}
+
+impl RotorFrame {
+    /// `None` where the rotor axis is along the blade.
+    pub fn new(wheel: &Wheel) -> Option<Self> {
+        let axis = wheel.axis.into_inner();
+        let radial = (Vector::x() - axis * axis.x).try_normalize(1e-9)?;
+        Some(RotorFrame { wheel: *wheel, radial, round: axis.cross(&radial) })
+    }
+
+    /// The wheel.
+    pub fn wheel(&self) -> &Wheel {
+        &self.wheel
+    }
+
+    /// The rotor axis.
+    pub fn axis(&self) -> Vector {
+        self.wheel.axis.into_inner()
+    }
+
+    /// The angle from one blade to the next, rad.
+    pub fn pitch_rad(&self) -> f64 {
+        TAU / f64::from(self.wheel.blades.max(1))
+    }
+
+    /// A point by its place along the axis, its angle and its distance from the axis.
+    pub fn point(&self, z_mm: f64, angle_rad: f64, radius_mm: f64) -> Point {
+        let (s, c) = angle_rad.sin_cos();
+        self.wheel.origin + self.axis() * z_mm + (self.radial * c + self.round * s) * radius_mm
+    }
+
+    /// Place along the axis, angle and distance from the axis of a point.
+    pub fn of(&self, p: &Point) -> [f64; 3] {
+        let v = p - self.wheel.origin;
+        let (a, b) = (v.dot(&self.radial), v.dot(&self.round));
+        [v.dot(&self.axis()), b.atan2(a), a.hypot(b)]
+    }
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::Unit;
 
 use super::Setup;
-use crate::artifact::{Blade, Obstacle, Plan, Wheel};
+use crate::artifact::{Blade, Obstacle, Plan, RotorFrame, Wheel};
 use crate::channel::ChannelSettings;
 use crate::error::{Error, Infeasible, Result, Stage};
 use crate::geometry::mesh::Mesh;
@@ -159,8 +159,9 @@ pub(super) fn bodies(
     // then cost nothing.
     let others = Obstacle { copies, ..body("the other blades".into(), together(&others), off_mm) };
     let mut out = vec![others];
-    if !settings.hub_mm.is_empty() {
-        out.push(body("hub".into(), hub(wheel, &settings.hub_mm), 0.0));
+    // An axis along the blade was refused when the wheel was read.
+    if let Some(frame) = RotorFrame::new(wheel).filter(|_| !settings.hub_mm.is_empty()) {
+        out.push(body("hub".into(), hub(&frame, &settings.hub_mm), 0.0));
     }
     Ok(out)
 }
@@ -209,20 +210,16 @@ fn apart(wheel: &Wheel, blade: &Blade) -> Result<()> {
 }
 
 /// The body of revolution of a hub's contour, closed towards the rotor axis; blade frame.
-fn hub(wheel: &Wheel, contour: &[[f64; 2]]) -> Mesh {
-    let along = wheel.axis.into_inner();
-    let across = (Vector::x() - along * along.x).normalize();
-    let third = along.cross(&across);
+fn hub(frame: &RotorFrame, contour: &[[f64; 2]]) -> Mesh {
     let outside = 1.0 / (std::f64::consts::PI / FACETS as f64).cos();
     let mut points = Vec::with_capacity(contour.len() * FACETS + 2);
     for [x, radius] in contour {
         for k in 0..FACETS {
-            let (s, c) = (std::f64::consts::TAU * k as f64 / FACETS as f64).sin_cos();
-            points.push(wheel.origin + along * *x + (across * c + third * s) * (radius * outside));
+            points.push(frame.point(*x, TAU * k as f64 / FACETS as f64, radius * outside));
         }
     }
     let ends = [contour.first(), contour.last()].map(|p| p.map_or(0.0, |p| p[0]));
-    points.extend(ends.map(|x| wheel.origin + along * x));
+    points.extend(ends.map(|x| frame.point(x, 0.0, 0.0)));
     let [first, last] = [contour.len() * FACETS, contour.len() * FACETS + 1].map(|k| k as u32);
     let at = |ring: usize, k: usize| (ring * FACETS + k % FACETS) as u32;
     let mut triangles = Vec::with_capacity(2 * contour.len() * FACETS);
@@ -253,7 +250,7 @@ mod tests {
     #[test]
     fn a_hub_is_a_closed_body_round_its_contour() {
         let wheel = Wheel { axis: Vector::z_axis(), origin: Point::new(1.0, 2.0, 3.0), blades: 5 };
-        let mesh = hub(&wheel, &[[-10.0, 40.0], [0.0, 50.0], [20.0, 30.0]]);
+        let mesh = hub(&RotorFrame::new(&wheel).unwrap(), &[[-10.0, 40.0], [0.0, 50.0], [20.0, 30.0]]);
         assert!(crate::geometry::mesh::topology(&mesh).closed());
         // Two frusta; the facets go round them.
         let frustum = |h: f64, a: f64, b: f64| std::f64::consts::PI * h * (a * a + a * b + b * b) / 3.0;

@@ -18,13 +18,13 @@ use super::chords;
 use super::helix::assemble;
 use super::level::{LevelSet, Touch};
 use super::{PathOptions, least_and_greatest, spot};
-use crate::artifact::{Blade, Toolpath, Wheel};
+use crate::artifact::{Blade, RotorFrame, Toolpath, Wheel};
 use crate::error::{EndReason, Error, Infeasible, Result, Stage};
 use crate::geometry::Point;
 use crate::numerics::spline::{CubicSpline, SplineEnds};
 use crate::observe::Observer;
 use crate::parallel;
-use passage::{BladeFoot, Closed, Frame, Passage, Station};
+use passage::{BladeFoot, Closed, Passage, Station};
 
 /// Rows are laid anew with another number of them at most so often.
 const ROUNDS: usize = 5;
@@ -56,7 +56,7 @@ pub fn plan(
     options: &PathOptions,
     observer: &dyn Observer,
 ) -> Result<Toolpath> {
-    let frame = Frame::new(wheel).ok_or_else(|| Error::usage(Stage::Path, "the rotor axis is along the blade"))?;
+    let frame = RotorFrame::new(wheel).ok_or_else(|| Error::usage(Stage::Path, "the rotor axis is along the blade"))?;
     let passage = Passage { level, frame: &frame };
     let [low_mm, high_mm] = blade.regions.airfoil_x_mm();
     let foot = BladeFoot { at: Point::new(low_mm, 0.0, 0.0), blade_mm: high_mm - low_mm };

@@ -5,11 +5,9 @@
 //! touches a blade or its fillet. Before and behind the blades nothing stops it; there a passage is
 //! one pitch wide, so that those of all blades together cover the hub.
 
-use std::f64::consts::TAU;
-
 use super::super::level::{LevelSet, Touch};
-use crate::artifact::Wheel;
-use crate::geometry::{Point, Vector};
+use crate::artifact::RotorFrame;
+use crate::geometry::Point;
 use crate::numerics::angle::within_half_turn;
 
 /// Stations stand so many ball radii apart.
@@ -78,51 +76,12 @@ pub struct BladeFoot {
     pub blade_mm: f64,
 }
 
-/// Cylindrical coordinates about a rotor axis, the angle from the blade in hand.
-pub struct Frame {
-    wheel: Wheel,
-    radial: Vector,
-    round: Vector,
-}
-
-impl Frame {
-    /// `None` where the rotor axis is along the blade.
-    pub fn new(wheel: &Wheel) -> Option<Self> {
-        let axis = wheel.axis.into_inner();
-        let radial = (Vector::x() - axis * axis.x).try_normalize(1e-9)?;
-        Some(Frame { wheel: *wheel, radial, round: axis.cross(&radial) })
-    }
-
-    /// The rotor axis.
-    pub fn axis(&self) -> Vector {
-        self.wheel.axis.into_inner()
-    }
-
-    /// The angle from one blade to the next, rad.
-    pub fn pitch_rad(&self) -> f64 {
-        TAU / f64::from(self.wheel.blades.max(1))
-    }
-
-    /// A point by its place along the axis, its angle and its distance from the axis.
-    pub fn point(&self, z_mm: f64, angle_rad: f64, radius_mm: f64) -> Point {
-        let (s, c) = angle_rad.sin_cos();
-        self.wheel.origin + self.axis() * z_mm + (self.radial * c + self.round * s) * radius_mm
-    }
-
-    /// Place along the axis, angle and distance from the axis of a point.
-    pub fn of(&self, p: &Point) -> [f64; 3] {
-        let v = p - self.wheel.origin;
-        let (a, b) = (v.dot(&self.radial), v.dot(&self.round));
-        [v.dot(&self.axis()), b.atan2(a), a.hypot(b)]
-    }
-}
-
 /// The passage beside the blade in hand, in the sense in which the wheel counts its blades.
 pub struct Passage<'a> {
     /// Balls that touch the part.
     pub level: &'a LevelSet<'a>,
     /// About the rotor axis.
-    pub frame: &'a Frame,
+    pub frame: &'a RotorFrame,
 }
 
 impl Passage<'_> {
@@ -138,7 +97,7 @@ impl Passage<'_> {
         // On the hub it goes straight out, or in; over facets nearly so.
         let out_mm = (from_axis_mm - radius_mm).abs();
         let most_mm = ASIDE * ball_mm + if by_facets { ASIDE_FACETS * out_mm } else { 0.0 };
-        let is_hub = self.frame.wheel.is_hub(&touch.contact, &touch.normal, by_facets);
+        let is_hub = self.frame.wheel().is_hub(&touch.contact, &touch.normal, by_facets);
         (is_hub && aside_mm.abs() <= most_mm).then_some(touch)
     }
 

@@ -33,7 +33,7 @@ fn options(wheel: Wheel, scallop_mm: f64) -> PathOptions {
 #[test]
 fn passages_are_as_wide_as_the_closed_form() {
     let (blade, wheel) = sample::plates(12, HALF);
-    let (level, frame) = (level(&blade.part), Frame::new(&wheel).unwrap());
+    let (level, frame) = (level(&blade.part), RotorFrame::new(&wheel).unwrap());
     let stations = Passage { level: &level, frame: &frame }.stations(&foot());
     let stations = stations.unwrap_or_else(|_| panic!("closed"));
     let pitch = TAU / 12.0;
