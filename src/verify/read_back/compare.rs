@@ -31,6 +31,8 @@ const FEED: f64 = 0.02;
 /// Times of lines that are nearer than this are the same, s: places are rounded, and with them the
 /// times at which the plan is there.
 const MOMENT_S: f64 = 0.01;
+/// A line that ends this near to a row ends there, mm: twice what rounding does.
+const AT_ROW_MM: f64 = 2.0 * ROUNDED_MM;
 /// A line that comes this near to the first or last location ends there, mm.
 const AT_END_MM: f64 = 0.05;
 /// Places looked at within a move, its end among them.
@@ -429,10 +431,14 @@ fn joints(
     machine: &Machine,
 ) -> Option<(WorstJoint, usize)> {
     let before = plan.leads[0].centres.len();
+    let rows: Vec<Point> = plan.rows().map(|r| r.stand.centre).collect();
     // The place is at a row, or on the way to the next.
     let within = |on: &OnPath| {
         let row = if on.share > 0.5 { on.row + 1 } else { on.row };
-        let at_row = on.share < 1e-3 || on.share > 1.0 - 1e-3;
+        // Rows may stand so near to one another that rounding is a good share of their way.
+        let way_mm = rows.get(on.row).zip(rows.get(on.row + 1)).map_or(0.0, |(a, b)| (b - a).norm());
+        let off = on.share.abs().min((1.0 - on.share).abs());
+        let at_row = off < 1e-3 || off * way_mm < AT_ROW_MM;
         let k = row.checked_sub(before)?;
         let curved = |k: Option<usize>| k.and_then(|k| curve.rows.get(k)).is_some_and(|r| r.way.is_curved());
         let joined =

@@ -11,7 +11,9 @@
 //!
 //! and likewise of the rotary axes. Lines of degree 3 carry two derivatives: of these the third is
 //! reported, not judged. What the rounding of words makes of them is allowed for: with
-//! words rounded to `ε` and lines of length `h`, at most `15 ε/h`, `40 ε/h²` and `90 ε/h³`.
+//! words rounded to `ε` and lines of length `h`, at most `r₀ = 15 ε/h`, `r₁ = 40 ε/h²` and
+//! `r₂ = 90 ε/h³` of the words themselves. The speed `v` is off by as large a share: where `d₀`,
+//! `d₁`, … are derivatives by the way, `d_k` is off by `Σ d_j r_(k−j)` more.
 
 use crate::artifact::Axes;
 use crate::artifact::program::Programmed;
@@ -75,14 +77,19 @@ pub(super) fn worst<'a>(
         let h = lengths[0].min(lengths[1]).max(1e-9);
         // A third derivative that jumps by a share of the greatest over a line.
         let lower = [0.5 * h * h, h, 1.0];
+        let rounded = if a.words == Programmed::Machine { POINTS_ROUNDED } else { ROUNDED };
+        let by_words: [f64; 3] = std::array::from_fn(|k| WORDS * rounded * BY_ROUNDING[k] / h.powi(k as i32 + 1));
         for k in 0..3 {
-            let rounded = if a.words == Programmed::Machine { POINTS_ROUNDED } else { ROUNDED };
-            let rounding = WORDS * rounded * BY_ROUNDING[k] / h.powi(k as i32 + 1);
+            // The speed of the ball is off by a share: so are all derivatives by its way.
+            let by_speed = |of: &dyn Fn(usize) -> f64| (0..=k).map(|j| of(j) * by_words[k - j]).sum::<f64>();
+            let bent_by = by_speed(&|j| if j > 0 { p.centre[j].norm() } else { 0.0 });
+            let rounding = by_words[k] + bent_by;
+            let turned_by = by_words[k].to_radians() + by_speed(&|j| p.turning[j].abs());
             let jump = (p.centre[k] - q.centre[k]).norm();
             let turn = (p.turning[k] - q.turning[k]).abs();
             out.jumps[k] = out.jumps[k].max(jump);
             let over = jump / (SHARE * most[0] * lower[k] + rounding);
-            let turned = turn / (SHARE * most[1] * lower[k] + rounding.to_radians());
+            let turned = turn / (SHARE * most[1] * lower[k] + turned_by);
             let value = if over.is_nan() || turned.is_nan() { f64::MAX } else { over.max(turned) };
             if value > out.value && k < judged {
                 (out.value, out.line) = (value, a.line);

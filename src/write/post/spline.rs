@@ -7,7 +7,8 @@
 //! to the rounding of digits. Breaks are some of the curve's own, as few as keep every word within
 //! [`OFF_MM`] and [`OFF_DEG`]; where they all are not enough, halves of its pieces. The projection
 //! is bounded on any breaks (Shadrin 2001, "The L∞-norm of the L2-spline projector is bounded
-//! independently of the knot sequence", Acta Math. 187).
+//! independently of the knot sequence", Acta Math. 187). Its ends are those of the word, so that
+//! the lines before and after it need not be bent to it.
 //!
 //! For controls that read polynomials of degree 3 as spline lines, words are cubic splines through
 //! themselves at the breaks, with their own slopes at the ends, so that value and two derivatives
@@ -111,6 +112,21 @@ impl CurveRun<'_> {
                     }
                 }
             }
+        }
+        // The lines before and after the run end and begin at its ends: so does the spline, whose
+        // first and last control values are its ends. Beside the origin the first is 0.
+        let last = breaks.controls() - 1;
+        let ends = self.words_at(breaks.all()[breaks.spans()]);
+        for r in 1..=DEGREE {
+            band[r][DEGREE - r] = 0.0;
+            for (k, side) in sides.iter_mut().enumerate() {
+                side[last - r] -= band[last][DEGREE - r] * (ends[k] - origin[k]);
+            }
+            band[last][DEGREE - r] = 0.0;
+        }
+        (band[0][DEGREE], band[last][DEGREE]) = (1.0, 1.0);
+        for (k, side) in sides.iter_mut().enumerate() {
+            (side[0], side[last]) = (0.0, ends[k] - origin[k]);
         }
         let factor = Factor::<ORDER>::of(band)?;
         for (side, from) in sides.iter_mut().zip(origin.iter()) {

@@ -337,3 +337,30 @@ fn curves_of_control_points_carry_the_curve_and_two_derivatives() {
         assert!(refused.message.contains(says), "{says}: {}", refused.message);
     }
 }
+
+/// The curve on a path with a stretch of it left straight: splines begin and end where the lines
+/// beside them do.
+#[test]
+fn curves_begin_and_end_at_straight_stretches() {
+    use crate::artifact::programmed::Way;
+    let (blade, tool, machine) = (sample::blade(), sample::tool(), Machine::demo().unwrap());
+    // Short ways; and long pieces, which a spline of as few as do leaves by some hundredths of a
+    // micrometre.
+    for (rows, per_piece, swing) in [(3000, 3, 0.01), (180, 12, 0.2)] {
+        let mut plan = sample::on_curve(sample::plan(1, rows), swing, 3.0, per_piece);
+        let curve = plan.curve.as_mut().unwrap();
+        for k in [rows / 2, rows / 2 + 1] {
+            curve.rows[k].way = Way::Straight;
+        }
+        curve.rows[rows / 2 + 2].way = Way::Piece;
+        let plan = sample::with_leads(plan);
+        for control in [Control::SiemensPoly, Control::HeidenhainSpl, Control::FanucNurbs] {
+            let p = program(control, plan.clone(), false, &options()).unwrap();
+            for c in read_back(&p, &plan, &blade, &tool, &machine).unwrap() {
+                assert!(c.passed, "{control}, {rows}: {} is {} {} at {}", c.id, c.worst, c.unit, c.note);
+                // A spline that begins beside its line bends that line by 0.16 of what is allowed.
+                assert!(c.id != CheckId::ProgramJoints || c.worst < 0.1, "{control}, {rows}: {}", c.worst);
+            }
+        }
+    }
+}
