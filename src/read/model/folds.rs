@@ -5,8 +5,10 @@
 //! before and the part after. Kernels write such edges where they prolong the border of a fillet
 //! beyond what they computed. Loops of such edges cross themselves at any fineness of chords.
 //!
-//! **Guarantees**: every place that is left out lies within [`BESIDE_MM`] of what stays. Loops use
-//! both parts in place of the edge. Nothing else changes.
+//! **Guarantees**: every place that is left out lies within [`BESIDE_MM`] of what stays. Where the
+//! edge itself begins or ends within the fold, what is left out beyond that is a spike, whose two
+//! sides are as near to one another. Loops use both parts in place of the edge. Nothing else
+//! changes.
 //!
 //! **Limits**: an edge whose sides part by more stays as it is, and its faces may be refused. A
 //! fold is seen where samples of the edge lie in it, of which each polynomial piece has twice as

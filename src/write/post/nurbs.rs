@@ -22,8 +22,8 @@ use crate::artifact::Axes;
 
 /// Degree of the curves.
 pub(super) const DEGREE: usize = 3;
-/// The planned speed at any piece of a curve is within this share of the curve's: half of what the
-/// time of a line may be off when it is read back, on either side.
+/// The planned speed at any piece of a curve is within this share of the curve's: what the time of
+/// a line may be off when it is read back.
 const SPREAD: f64 = 0.02;
 /// Knots count micrometres along the path of the ball: with four decimals their rounding does not
 /// move the curve, and nine digits reach so far.

@@ -380,8 +380,9 @@ impl<'a> Writer<'a> {
         let mut begun = None;
         let mut stretch = moves.first().map_or(Stretch::Turn(0), |m| m.stretch);
         let mut k = 0;
-        while let Some(Move { t_s, stretch: next, bend, .. }) = moves.get(k) {
-            if let (true, Some((_, since, _))) = (dialect.has_curves() && bend.is_some(), &last) {
+        while let Some(Move { t_s, stretch: next, bend, words, .. }) = moves.get(k) {
+            let is_piece = dialect.has_curves() && bend.is_some() && words.is_some();
+            if let (true, Some((_, since, _))) = (is_piece, &last) {
                 if begun != Some(stretch) {
                     begun = Some(stretch);
                     self.begin(stretch)?;

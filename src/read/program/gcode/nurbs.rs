@@ -27,7 +27,7 @@ pub(super) struct Curve {
     points: Vec<([f64; AXES], usize)>,
     knots: Vec<f64>,
     /// Its first line.
-    pub line: usize,
+    line: usize,
 }
 
 /// A polynomial piece of a curve.
