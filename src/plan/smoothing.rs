@@ -3,12 +3,13 @@
 //!
 //! A row is where a piece of the curve begins, and as many more within a piece, evenly, as keep
 //! straight moves from row to row within the chord tolerance: the same rows serve programs of
-//! polynomials, which take the pieces whole, and programs of straight moves. The channel is looked
-//! at anew at these rows. Where the ridges of the whole path would fail their check, the room
-//! across the path is narrowed about those that grew too much, in the end all along the path. Where
-//! θ leaves the channel, or the tool comes too near to something between rows, the curve is made
-//! again nearer to the path there; in the end those pieces are given up and the path's own
-//! locations come back.
+//! polynomials, which take the pieces whole, and programs of straight moves. Where the ridges of the
+//! whole path would fail their check, the room across the path is narrowed about those that grew too
+//! much, in the end all along the path. The channel is looked at anew at the rows: it is known at
+//! locations, and between them its walls need not be straight. Where θ leaves it, θ is made again
+//! between the walls that the rows saw, and the ball keeps its curve. Where that does not help, or
+//! the tool comes too near to something between rows, the curve is made again nearer to the path
+//! there; in the end those pieces are given up and the path's own locations come back.
 
 use super::leads::MotionAndLeads;
 use super::{Setup, leads};
@@ -23,7 +24,7 @@ use crate::geometry::Point;
 use crate::geometry::allowance::Allowed;
 use crate::observe::{Doubt, Observer, Silent, Warning, timed};
 use crate::parallel;
-use crate::smooth::{self, Aim, Near, Objective, Share, SmoothOptions};
+use crate::smooth::{self, Aim, Near, Objective, SeenWall, Share, SmoothOptions};
 use crate::verify;
 
 /// How often the room across the path is narrowed where ridges would fail their check: about ridges
@@ -39,6 +40,10 @@ const ABOUT_RIDGE_MM: f64 = 1.0;
 /// A curve of few pieces may be off the part by this share of what ridges may grow by: they also
 /// grow by what it goes across, and at its own rows others are counted.
 const OFF: f64 = 0.25;
+/// How often θ is made anew between walls that were seen from the curve, …
+const TURNED: usize = 4;
+/// … at places as far around those where it was outside of them, mm.
+const SEEN_MM: f64 = 0.5;
 /// How often the curve is made anew, nearer to the path at places where it does not keep clear, …
 const NEARER: usize = 2;
 /// … each time with this share of the room there, and so far around them, mm.
@@ -95,9 +100,9 @@ pub(crate) fn smoothed(
     let (mut options, objective) = (setup.smooth_options(), Objective::Part);
     let Before { path: old, channel: walls, schedule } = before;
     let mut shares = vec![Share::WHOLE; old.locations.len()];
-    let make = |options: &SmoothOptions, shares: &[Share], like: Option<&Curve>| {
+    let make = |options: &SmoothOptions, shares: &[Share], seen: &[SeenWall], like: Option<&Curve>| {
         timed(observer, Stage::Smooth, || {
-            let near = Near { shares, like };
+            let near = Near { shares, like, walls: seen };
             smooth::plan_near(&setup.blade.part, old, walls, schedule, &objective, options, near, observer)
         })
     };
@@ -107,10 +112,11 @@ pub(crate) fn smoothed(
     let own_mm = ridges_mm(old);
     let most_mm = (verify_options.settings.scallop_ratio * verify_options.scallop_mm).max(own_mm);
     less_off(&mut options, OFF * (most_mm - own_mm));
-    let mut found = make(&options, &shares, None)?;
+    let mut seen: Vec<SeenWall> = Vec::new();
+    let mut found = make(&options, &shares, &seen, None)?;
     let mut kept: Vec<[f64; 2]> = Vec::new();
-    let (mut nearer, mut narrower) = (0, 0);
-    for _ in 0..NEARER + ROUNDS + NARROWER {
+    let (mut nearer, mut narrower, mut turned) = (0, 0, 0);
+    for _ in 0..NEARER + ROUNDS + NARROWER + TURNED {
         if found.stretches.is_empty() {
             return given_up(longest(&found.left).map_or(WhyNone::TooShort, |l| WhyNone::Left { longest: l.why }));
         }
@@ -131,7 +137,7 @@ pub(crate) fn smoothed(
                 let on = OnRidges { setup, options: &verify_options, most_mm };
                 timed(observer, Stage::Smooth, || on.narrow(old, &path, &curve, &mut shares));
             }
-            found = make(&options, &shares, Some(&found).filter(|_| is_same))?;
+            found = make(&options, &shares, &seen, Some(&found).filter(|_| is_same))?;
             continue;
         }
         let channel = match channel_on(setup, before, &path, &curve, observer) {
@@ -140,22 +146,39 @@ pub(crate) fn smoothed(
             }
             channel => channel?,
         };
-        let bad = timed(observer, Stage::Smooth, || not_clear(setup, &path, &schedule, &channel, &curve));
-        if bad.is_empty() {
+        let bad = timed(observer, Stage::Smooth, || NotClear::on(setup, &path, &schedule, &channel, &curve));
+        if bad.outside.is_empty() && bad.near.is_empty() {
             let curve = compared(setup, before, motion, (&path, &schedule), curve)?;
             told(&curve, &before, observer);
             return Ok(Some(SmoothedPlan { path, channel, schedule, curve }));
         }
         observer.check(Stage::Smooth)?;
-        if nearer < NEARER {
+        if turned < TURNED && !bad.outside.is_empty() {
+            turned += 1;
+            see(&bad.outside, &channel, &curve, &mut seen);
+            found = timed(observer, Stage::Smooth, || {
+                let near = Near { shares: &shares, like: None, walls: &seen };
+                smooth::turned_anew(found, old, walls, before.schedule, &options, near)
+            })?;
+        } else if nearer < NEARER {
             nearer += 1;
-            nearer_about(&bad, old, &mut shares);
-            found = make(&options, &shares, Some(&found))?;
+            nearer_about(&bad.all(), old, &mut shares);
+            found = make(&options, &shares, &seen, Some(&found))?;
         } else {
-            kept.extend(bad);
+            kept.extend(bad.all());
         }
     }
     given_up(WhyNone::MoreAndMore)
+}
+
+/// The channel as the curve's rows about places see it, with what was seen before.
+fn see(places: &[[f64; 2]], channel: &Channel, curve: &ProgrammedCurve, seen: &mut Vec<SeenWall>) {
+    let is_near = |s: f64| places.iter().any(|[a, b]| s > a - SEEN_MM && s < b + SEEN_MM);
+    let rows = curve.rows.iter().zip(&channel.rows).enumerate();
+    let here = rows.filter(|(k, (r, _))| curve.is_on(*k) && is_near(r.s_mm));
+    seen.retain(|w| !is_near(w.s_mm));
+    seen.extend(here.map(|(_, (r, c))| SeenWall { s_mm: r.s_mm, theta_min: c.hull_min, theta_max: c.hull_max }));
+    seen.sort_by(|a, b| a.s_mm.total_cmp(&b.s_mm));
 }
 
 /// Less room about places, which the path's own parameter tells.
@@ -280,29 +303,36 @@ fn channel_on(
     })
 }
 
-/// Where the curve is to be given up, in its parameter: θ is outside the channel, or the tool comes
-/// nearer to something than the checks let pass, on the curve or on a straight move beside it.
-fn not_clear(
-    setup: &Setup,
-    path: &Toolpath,
-    schedule: &Schedule,
-    channel: &Channel,
-    curve: &ProgrammedCurve,
-) -> Vec<[f64; 2]> {
-    let options = setup.verify_options();
-    let apart = verify::apart(&setup.blade, &setup.obstacles, &setup.job.tool, &options);
-    let theta = &schedule.theta;
-    let outside = |k: &usize| {
-        let row = &channel.rows[*k];
-        let by = (row.theta_min - theta[*k]).max(theta[*k] - row.theta_max);
-        by.to_degrees() > 0.5 * options.angle_tolerance_deg && curve.is_on(*k)
-    };
-    let last = curve.rows.len() - 1;
-    let s = |k: usize| curve.rows[k.min(last)].s_mm;
-    let mut out: Vec<[f64; 2]> = (0..theta.len()).filter(outside).map(|k| [s(k.saturating_sub(1)), s(k + 1)]).collect();
-    let short = verify::short_on_curve(path, theta, curve, &apart, &options);
-    out.extend(short.into_iter().filter(|k| curve.is_on(*k) || curve.is_on(k + 1)).map(|k| [s(k), s(k + 1)]));
-    out
+/// Where the curve cannot be as it is, in its parameter, mm.
+struct NotClear {
+    /// θ is outside the channel.
+    outside: Vec<[f64; 2]>,
+    /// The tool comes nearer to something than the checks let pass, on the curve or on a straight
+    /// move beside it.
+    near: Vec<[f64; 2]>,
+}
+
+impl NotClear {
+    fn on(setup: &Setup, path: &Toolpath, schedule: &Schedule, channel: &Channel, curve: &ProgrammedCurve) -> Self {
+        let options = setup.verify_options();
+        let apart = verify::apart(&setup.blade, &setup.obstacles, &setup.job.tool, &options);
+        let theta = &schedule.theta;
+        let is_outside = |k: &usize| {
+            let row = &channel.rows[*k];
+            let by = (row.theta_min - theta[*k]).max(theta[*k] - row.theta_max);
+            by.to_degrees() > 0.5 * options.angle_tolerance_deg && curve.is_on(*k)
+        };
+        let last = curve.rows.len() - 1;
+        let s = |k: usize| curve.rows[k.min(last)].s_mm;
+        let outside = (0..theta.len()).filter(is_outside).map(|k| [s(k.saturating_sub(1)), s(k + 1)]);
+        let short = verify::short_on_curve(path, theta, curve, &apart, &options);
+        let near = short.into_iter().filter(|k| curve.is_on(*k) || curve.is_on(k + 1)).map(|k| [s(k), s(k + 1)]);
+        NotClear { outside: outside.collect(), near: near.collect() }
+    }
+
+    fn all(self) -> Vec<[f64; 2]> {
+        [self.outside, self.near].concat()
+    }
 }
 
 /// Where a row comes from.

@@ -68,9 +68,8 @@ mod turn;
 
 use std::ops::Range;
 
-use room::TubeRoom;
 use stretch::SmoothStretch;
-use turn::TurningFit;
+use turn::{Turned, TurningFit};
 
 pub use evened::evened;
 pub use options::{Aim, SmoothOptions};
@@ -124,7 +123,16 @@ pub fn plan(
     observer: &dyn Observer,
 ) -> Result<Curve> {
     let shares = vec![Share::WHOLE; path.locations.len()];
-    plan_near(part, path, channel, schedule, objective, options, Near { shares: &shares, like: None }, observer)
+    plan_near(
+        part,
+        path,
+        channel,
+        schedule,
+        objective,
+        options,
+        Near { shares: &shares, like: None, walls: &[] },
+        observer,
+    )
 }
 
 /// What a curve is to be near to.
@@ -135,6 +143,19 @@ pub struct Near<'a> {
     /// A curve of the same path with more room: with [`Aim::Fewest`] the search begins with its
     /// breaks.
     pub like: Option<&'a Curve>,
+    /// Walls of the channel between locations, where they are known; in order of arc length.
+    pub walls: &'a [SeenWall],
+}
+
+/// Walls of the channel at a place of the path between two locations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeenWall {
+    /// Arc length of the path, mm.
+    pub s_mm: f64,
+    /// Least θ that is free there and joins on to what is free before, rad.
+    pub theta_min: f64,
+    /// Greatest θ, rad.
+    pub theta_max: f64,
 }
 
 /// How near to the path the curve is to be at a location: shares of what the options allow, greater
@@ -167,18 +188,11 @@ pub fn plan_near(
     near: Near,
     observer: &dyn Observer,
 ) -> Result<Curve> {
-    let shares = near.shares;
-    options.validate()?;
-    validate(path, channel, schedule)?;
-    if shares.len() != path.locations.len()
-        || !shares.iter().flat_map(|s| [s.across, s.turn]).all(|s| s > 0.0 && s <= 1.0)
-    {
-        let message = "shares of the room must be greater than 0, at most 1, and one for each location";
-        return Err(Error::usage(Stage::Smooth, message));
-    }
+    check(path, channel, schedule, options, &near)?;
+    let all = (path, channel, schedule);
     let part = Allowed::new(part, path.stock_mm);
     let mut room = room::of(path, options, KEPT);
-    room.iter_mut().zip(shares).for_each(|(r, share)| r.across_mm *= share.across);
+    room.iter_mut().zip(near.shares).for_each(|(r, share)| r.across_mm *= share.across);
     let whole = path.locations.len();
     let mut curve = Curve::default();
     let mut open: Vec<(Range<usize>, usize)> = Vec::new();
@@ -199,9 +213,15 @@ pub fn plan_near(
             curve.left.push(LeftAsIs { s_mm: ends, why: WhyLeft::Short });
             continue;
         }
-        let joined = [range.start > 0, range.end < whole];
-        let all = (path, channel, schedule);
-        let stretch = self::stretch(&part, all, (&room, shares), range.clone(), joined, objective, options);
+        let stretch = SmoothStretch {
+            part: &part,
+            radius_mm: path.radius_mm,
+            locations: &path.locations[range.clone()],
+            room: &room[range.clone()],
+            turning: turning(all, range.clone(), &near, options),
+            options,
+            objective,
+        };
         let like = near.like.and_then(|c| c.stretches.iter().find(|s| s.s_mm() == ends)).map(|s| &s.breaks);
         match stretch.smooth(like) {
             Some(Ok(found)) => curve.stretches.push(found),
@@ -224,24 +244,42 @@ pub fn plan_near(
     Ok(curve)
 }
 
-fn stretch<'a>(
-    part: &'a Allowed<'a>,
-    (path, channel, schedule): (&'a Toolpath, &'a Channel, &'a Schedule),
-    (room, shares): (&'a [TubeRoom], &'a [Share]),
+/// θ anew within `near.walls`, the ball centre as it is. Where a stretch has no such θ it keeps its
+/// own.
+///
+/// # Errors
+/// Kind `Usage`: lists of different length, values that are not finite, arc lengths that do not
+/// rise.
+pub fn turned_anew(
+    mut curve: Curve,
+    path: &Toolpath,
+    channel: &Channel,
+    schedule: &Schedule,
+    options: &SmoothOptions,
+    near: Near,
+) -> Result<Curve> {
+    check(path, channel, schedule, options, &near)?;
+    for stretch in &mut curve.stretches {
+        let [from, to] = stretch.s_mm();
+        let first = path.locations.partition_point(|l| l.s_mm < from);
+        let end = path.locations.partition_point(|l| l.s_mm <= to);
+        let fit = turning((path, channel, schedule), first..end, &near, options);
+        if let Ok(Turned { breaks, theta, square: [square, bound] }) = fit.smooth(&stretch.breaks, options) {
+            (stretch.theta_breaks, stretch.theta) = (breaks, theta);
+            (stretch.proof.theta_square, stretch.proof.theta_bound) = (square, bound);
+        }
+    }
+    Ok(curve)
+}
+
+fn turning(
+    all: (&Toolpath, &Channel, &Schedule),
     range: Range<usize>,
-    joined: [bool; 2],
-    objective: &'a Objective<'a>,
-    options: &'a SmoothOptions,
-) -> SmoothStretch<'a> {
-    let locations = &path.locations[range.clone()];
-    let turning = TurningFit {
-        locations,
-        walls: &channel.rows[range.clone()],
-        theta: &schedule.theta[range.clone()],
-        shares: &shares[range.clone()],
-        joined,
-    };
-    SmoothStretch { part, radius_mm: path.radius_mm, locations, room: &room[range], turning, options, objective }
+    near: &Near,
+    options: &SmoothOptions,
+) -> TurningFit {
+    let joined = [range.start > 0, range.end < all.0.locations.len()];
+    TurningFit::new(all, range, near, joined, options)
 }
 
 /// Stretches between creases, and the moves over creases with the angle by which the normal turns.
@@ -279,6 +317,24 @@ fn without(path: &Toolpath, range: Range<usize>, broken: &[[f64; 2]]) -> Vec<(Ra
         }
     }
     out
+}
+
+fn check(path: &Toolpath, channel: &Channel, schedule: &Schedule, options: &SmoothOptions, near: &Near) -> Result<()> {
+    options.validate()?;
+    validate(path, channel, schedule)?;
+    let shares = near.shares;
+    if shares.len() != path.locations.len()
+        || !shares.iter().flat_map(|s| [s.across, s.turn]).all(|s| s > 0.0 && s <= 1.0)
+    {
+        let message = "shares of the room must be greater than 0, at most 1, and one for each location";
+        return Err(Error::usage(Stage::Smooth, message));
+    }
+    let bad_wall = |w: &SeenWall| ![w.s_mm, w.theta_min, w.theta_max].iter().all(|v| v.is_finite());
+    if near.walls.iter().any(bad_wall) || near.walls.windows(2).any(|w| w[0].s_mm > w[1].s_mm) {
+        let message = "walls between locations must be finite and in order of arc length";
+        return Err(Error::usage(Stage::Smooth, message));
+    }
+    Ok(())
 }
 
 fn validate(path: &Toolpath, channel: &Channel, schedule: &Schedule) -> Result<()> {

@@ -5,7 +5,7 @@ use super::prove::{self, Proof};
 use super::room::TubeRoom;
 use super::start;
 use super::tube::{self, Cells, Tube};
-use super::turn::TurningFit;
+use super::turn::{Turned, TurningFit};
 use super::{Aim, Objective, SmoothOptions, fewest};
 use crate::artifact::curve::{CurveProof, CurveStretch};
 use crate::artifact::toolpath::CutterLocation;
@@ -35,7 +35,7 @@ pub(super) struct SmoothStretch<'a> {
     pub locations: &'a [CutterLocation],
     /// The room inside the tube.
     pub room: &'a [TubeRoom],
-    pub turning: TurningFit<'a>,
+    pub turning: TurningFit,
     pub options: &'a SmoothOptions,
     pub objective: &'a Objective<'a>,
 }
@@ -107,23 +107,11 @@ impl SmoothStretch<'_> {
             missed.0.iter().for_each(|(i, _)| marks[*i] = true);
             Some(Err(marks))
         };
-        let all = breaks.all();
-        let mean = (all[all.len() - 1] - all[0]) / breaks.spans() as f64;
-        // As far apart as they are on average, or nearer where that is too far.
-        let thinned = [1.0, 0.25, 0.0].into_iter().map(|share| breaks.thinned(share * mean));
-        let turned = thinned.map(|b| self.turning.smooth(&b, self.options).map(|found| (b, found)));
-        let mut last = Missed(Vec::new());
-        let mut found = None;
-        for turned in turned {
-            match turned {
-                Ok(turned) => {
-                    found = Some(turned);
-                    break;
-                }
-                Err(missed) => last = missed,
-            }
-        }
-        let Some((theta_breaks, (theta, [theta_square, theta_bound]))) = found else { return marked(last) };
+        let turned = match self.turning.smooth(breaks, self.options) {
+            Ok(turned) => turned,
+            Err(missed) => return marked(missed),
+        };
+        let Turned { breaks: theta_breaks, theta, square: [theta_square, theta_bound] } = turned;
         let angle = |s: f64| {
             let k = theta_breaks.span_of(s);
             theta_breaks.weights(k, s).iter().zip(&theta[k..]).map(|(w, t)| w * t).sum::<f64>()

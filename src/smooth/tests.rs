@@ -266,6 +266,55 @@ fn jerk_of_axes_can_be_least_instead() {
 }
 
 #[test]
+fn theta_goes_between_walls_seen_from_the_curve_and_the_ball_keeps_its_curve() {
+    let (path, angles) = helix(1e-3);
+    let (channel, schedule) = turning(&angles);
+    let options = SmoothOptions::default();
+    let curve = smoothed(&path, &angles, &options).unwrap();
+    // The lower wall bulges by 0.01 rad over the schedule between two locations, the upper one by as
+    // much below it between two others: more than θ may be from the schedule.
+    let middle = |k: usize| 0.5 * (path.locations[k].s_mm + path.locations[k + 1].s_mm);
+    let theta = |k: usize| 0.5 * (schedule.theta[k] + schedule.theta[k + 1]);
+    let wall = |k: usize, least: f64, greatest: f64| SeenWall {
+        s_mm: middle(k),
+        theta_min: theta(k) + least,
+        theta_max: theta(k) + greatest,
+    };
+    let walls = [wall(300, 0.01, 0.5), wall(700, -0.5, -0.01)];
+    let is_within = |w: &SeenWall, c: &Curve| {
+        let theta = c.stretch_at(w.s_mm).unwrap().at(w.s_mm).theta[0];
+        (w.theta_min - 1e-8..=w.theta_max + 1e-8).contains(&theta)
+    };
+    assert!(walls.iter().all(|w| !is_within(w, &curve)));
+    let shares = vec![Share::WHOLE; path.locations.len()];
+    let near = Near { shares: &shares, like: None, walls: &walls };
+    let again = turned_anew(curve.clone(), &path, &channel, &schedule, &options, near).unwrap();
+    let whole = plan_near(&part(), &path, &channel, &schedule, &Objective::Part, &options, near, &Silent).unwrap();
+    for c in [&again, &whole] {
+        assert!(c.left.is_empty() && c.stretches.len() == 1);
+        assert!(walls.iter().all(|w| is_within(w, c)));
+        let s = &c.stretches[0];
+        let mut last = f64::NEG_INFINITY;
+        for k in 0..=20_000 {
+            let now = s.at(path.locations.last().unwrap().s_mm * f64::from(k) / 2e4).theta[0];
+            assert!(now >= last - 1e-12, "{now} {last}");
+            last = now;
+        }
+    }
+    assert_eq!(again.stretches[0].centre, curve.stretches[0].centre);
+    // Far from the walls θ is as before.
+    let far = |c: &Curve| c.stretches[0].at(path.locations[100].s_mm).theta[0];
+    assert!((far(&again) - far(&curve)).abs() < 1e-3, "{} {}", far(&again), far(&curve));
+    // Walls that leave no θ which never falls: it stays.
+    let walls = [wall(300, 0.2, 0.5), wall(301, -0.5, -0.2)];
+    let near = Near { walls: &walls, ..near };
+    assert_eq!(turned_anew(curve.clone(), &path, &channel, &schedule, &options, near).unwrap(), curve);
+    let back = [walls[1], walls[0]];
+    let e = turned_anew(curve, &path, &channel, &schedule, &options, Near { walls: &back, ..near }).unwrap_err();
+    assert_eq!((e.kind, e.message.contains("order")), (crate::error::ErrorKind::Usage, true), "{e}");
+}
+
+#[test]
 fn where_there_is_no_room_the_path_stays() {
     // A schedule that turns back over some locations: no θ that never falls is near to it.
     let (path, angles) = helix(1e-3);
