@@ -3,13 +3,13 @@
 //!
 //! A row is where a piece of the curve begins, and as many more within a piece, evenly, as keep
 //! straight moves from row to row within the chord tolerance: the same rows serve programs of
-//! polynomials, which take the pieces whole, and programs of straight moves. Where the ridges of the
-//! whole path would fail their check, the room across the path is narrowed about those that grew too
-//! much, in the end all along the path. The channel is looked at anew at the rows: it is known at
-//! locations, and between them its walls need not be straight. Where θ leaves it, θ is made again
-//! between the walls that the rows saw, and the ball keeps its curve. Where that does not help, or
-//! the tool comes too near to something between rows, the curve is made again nearer to the path
-//! there; in the end those pieces are given up and the path's own locations come back.
+//! polynomials, which take the pieces whole, and programs of straight moves. Where the ridges of
+//! the whole path would fail their check, the room across the path is narrowed about those that
+//! grew too much, in the end all along the path. The channel is looked at anew at the rows: it is
+//! known at locations, and between them its walls need not be straight. Where θ leaves it, θ is
+//! made again between the walls that the rows saw, and the ball keeps its curve. Where that does
+//! not help, or the tool comes too near to something between rows, the curve is made again nearer
+//! to the path there; in the end those pieces are given up and the path's own locations come back.
 
 use super::leads::MotionAndLeads;
 use super::{Setup, leads};

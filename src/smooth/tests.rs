@@ -271,8 +271,8 @@ fn theta_goes_between_walls_seen_from_the_curve_and_the_ball_keeps_its_curve() {
     let (channel, schedule) = turning(&angles);
     let options = SmoothOptions::default();
     let curve = smoothed(&path, &angles, &options).unwrap();
-    // The lower wall bulges by 0.01 rad over the schedule between two locations, the upper one by as
-    // much below it between two others: more than θ may be from the schedule.
+    // The lower wall bulges by 0.01 rad over the schedule between two locations, the upper one by
+    // as much below it between two others: more than θ may be from the schedule.
     let middle = |k: usize| 0.5 * (path.locations[k].s_mm + path.locations[k + 1].s_mm);
     let theta = |k: usize| 0.5 * (schedule.theta[k] + schedule.theta[k + 1]);
     let wall = |k: usize, least: f64, greatest: f64| SeenWall {

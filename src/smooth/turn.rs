@@ -19,7 +19,8 @@ const NOTHING: f64 = 1e-7;
 /// Breaks of θ are no nearer to one another than these shares of the average, the first that does.
 const THINNED: [f64; 3] = [1.0, 0.25, 0.0];
 
-/// Where the schedule is outside of walls that were seen, θ may be farther from it so far around, mm.
+/// Where the schedule is outside of walls that were seen, θ may be farther from it, so far around,
+/// mm.
 const AROUND_MM: f64 = 1.0;
 
 /// θ of a stretch.
@@ -157,8 +158,8 @@ impl TurningFit {
         Ok((theta, [value + objective, (value + bound).max(0.0)]))
     }
 
-    /// Walls are straight from place to place. A span is cut at places where the walls, as seen from
-    /// the curve, are not nearly even.
+    /// Walls are straight from place to place. A span is cut at places where the walls, as seen
+    /// from the curve, are not nearly even.
     fn strips(&self, breaks: &Breaks, i: usize, x: &[[f64; 1]]) -> Vec<Strip<1>> {
         let [a, b] = breaks.span(i);
         let from = self.0.partition_point(|p| p.s_mm <= a).saturating_sub(1);
