@@ -156,10 +156,15 @@ pub(crate) fn smoothed(
         if turned < TURNED && !bad.outside.is_empty() {
             turned += 1;
             see(&bad.outside, &channel, &curve, &mut seen);
-            found = timed(observer, Stage::Smooth, || {
+            let again = timed(observer, Stage::Smooth, || {
                 let near = Near { shares: &shares, like: None, walls: &seen };
-                smooth::turned_anew(found, old, walls, before.schedule, &options, near)
+                smooth::turned_anew(&found, old, walls, before.schedule, &options, near)
             })?;
+            if again == found {
+                // There is no such θ.
+                turned = TURNED;
+            }
+            found = again;
         } else if nearer < NEARER {
             nearer += 1;
             nearer_about(&bad.all(), old, &mut shares);

@@ -251,7 +251,7 @@ pub fn plan_near(
 /// Kind `Usage`: lists of different length, values that are not finite, arc lengths that do not
 /// rise.
 pub fn turned_anew(
-    mut curve: Curve,
+    curve: &Curve,
     path: &Toolpath,
     channel: &Channel,
     schedule: &Schedule,
@@ -259,6 +259,7 @@ pub fn turned_anew(
     near: Near,
 ) -> Result<Curve> {
     check(path, channel, schedule, options, &near)?;
+    let mut curve = curve.clone();
     for stretch in &mut curve.stretches {
         let [from, to] = stretch.s_mm();
         let first = path.locations.partition_point(|l| l.s_mm < from);

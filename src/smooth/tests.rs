@@ -288,7 +288,7 @@ fn theta_goes_between_walls_seen_from_the_curve_and_the_ball_keeps_its_curve() {
     assert!(walls.iter().all(|w| !is_within(w, &curve)));
     let shares = vec![Share::WHOLE; path.locations.len()];
     let near = Near { shares: &shares, like: None, walls: &walls };
-    let again = turned_anew(curve.clone(), &path, &channel, &schedule, &options, near).unwrap();
+    let again = turned_anew(&curve, &path, &channel, &schedule, &options, near).unwrap();
     let whole = plan_near(&part(), &path, &channel, &schedule, &Objective::Part, &options, near, &Silent).unwrap();
     for c in [&again, &whole] {
         assert!(c.left.is_empty() && c.stretches.len() == 1);
@@ -308,9 +308,9 @@ fn theta_goes_between_walls_seen_from_the_curve_and_the_ball_keeps_its_curve() {
     // Walls that leave no θ which never falls: it stays.
     let walls = [wall(300, 0.2, 0.5), wall(301, -0.5, -0.2)];
     let near = Near { walls: &walls, ..near };
-    assert_eq!(turned_anew(curve.clone(), &path, &channel, &schedule, &options, near).unwrap(), curve);
+    assert_eq!(turned_anew(&curve, &path, &channel, &schedule, &options, near).unwrap(), curve);
     let back = [walls[1], walls[0]];
-    let e = turned_anew(curve, &path, &channel, &schedule, &options, Near { walls: &back, ..near }).unwrap_err();
+    let e = turned_anew(&curve, &path, &channel, &schedule, &options, Near { walls: &back, ..near }).unwrap_err();
     assert_eq!((e.kind, e.message.contains("order")), (crate::error::ErrorKind::Usage, true), "{e}");
 }
 
