@@ -123,16 +123,8 @@ pub fn plan(
     observer: &dyn Observer,
 ) -> Result<Curve> {
     let shares = vec![Share::WHOLE; path.locations.len()];
-    plan_near(
-        part,
-        path,
-        channel,
-        schedule,
-        objective,
-        options,
-        Near { shares: &shares, like: None, walls: &[] },
-        observer,
-    )
+    let near = Near { shares: &shares, like: None, walls: &[] };
+    plan_near(part, path, channel, schedule, objective, options, near, observer)
 }
 
 /// What a curve is to be near to.
@@ -264,6 +256,10 @@ pub fn turned_anew(
         let [from, to] = stretch.s_mm();
         let first = path.locations.partition_point(|l| l.s_mm < from);
         let end = path.locations.partition_point(|l| l.s_mm <= to);
+        // A curve of another path.
+        if end < first + 2 {
+            continue;
+        }
         let fit = turning((path, channel, schedule), first..end, &near, options);
         if let Ok(Turned { breaks, theta, square: [square, bound] }) = fit.smooth(&stretch.breaks, options) {
             (stretch.theta_breaks, stretch.theta) = (breaks, theta);

@@ -309,6 +309,12 @@ fn theta_goes_between_walls_seen_from_the_curve_and_the_ball_keeps_its_curve() {
     let walls = [wall(300, 0.2, 0.5), wall(301, -0.5, -0.2)];
     let near = Near { walls: &walls, ..near };
     assert_eq!(turned_anew(&curve, &path, &channel, &schedule, &options, near).unwrap(), curve);
+    // A curve of another path has no location here: it stays.
+    let mut other = curve.clone();
+    let far = path.locations.last().unwrap().s_mm + 1.0;
+    let breaks = other.stretches[0].breaks.all().iter().map(|s| s + far).collect();
+    other.stretches[0].breaks = crate::numerics::quintic::Breaks::new(breaks).unwrap();
+    assert_eq!(turned_anew(&other, &path, &channel, &schedule, &options, near).unwrap(), other);
     let back = [walls[1], walls[0]];
     let e = turned_anew(&curve, &path, &channel, &schedule, &options, Near { walls: &back, ..near }).unwrap_err();
     assert_eq!((e.kind, e.message.contains("order")), (crate::error::ErrorKind::Usage, true), "{e}");

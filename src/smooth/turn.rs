@@ -74,9 +74,8 @@ impl TurningFit {
         joined: [bool; 2],
         options: &SmoothOptions,
     ) -> TurningFit {
-        let at = |k: usize| (path.locations[k].s_mm, schedule.theta[k]);
-        let own: Vec<TurnLimit> = range.clone().map(at).map(|(s_mm, theta)| TurnLimit::free(s_mm, theta)).collect();
-        let own = TurningFit(own);
+        let free = |k: usize| TurnLimit::free(path.locations[k].s_mm, schedule.theta[k]);
+        let own = TurningFit(range.clone().map(free).collect());
         let mut seen: Vec<(TurnLimit, [f64; 2])> = Vec::new();
         for wall in near.walls {
             let k = own.0.partition_point(|p| p.s_mm < wall.s_mm);
