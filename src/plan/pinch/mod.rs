@@ -551,7 +551,7 @@ fn closed(rows: &PairedRows, own: &[Vec<FreeAngles>; 2], both: &Both, place: usi
     let degrees = |free: &FreeAngles| free.arcs().iter().map(|a| a.map(f64::to_degrees)).collect::<Vec<_>>();
     let free_deg = [degrees(&own[0][place]), degrees(&own[1][place])];
     let said = |arcs: &[[f64; 2]]| match arcs {
-        [] => "at none".to_owned(),
+        [] => "no angle".to_owned(),
         _ => arcs.iter().map(|[a, b]| format!("{a:.1}° to {b:.1}°")).collect::<Vec<_>>().join(", "),
     };
     // How far apart the tools can be there at angles that are free for both.
