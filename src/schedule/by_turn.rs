@@ -8,13 +8,17 @@
 //! of all; no bound is proved for that.
 
 use super::corridor::Corridor;
-use super::rounds::{Goal, Solved, SolverUnits, round_from};
+use super::rounds::{Contradicting, Goal, Solved, SolverUnits, round_from};
 use crate::artifact::Toolpath;
 use crate::artifact::schedule::Measure;
 
-/// Value, slope and second derivative for every sample of the walls; `None` where a turn leaves no
-/// room.
-pub(super) fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, scale: &SolverUnits) -> Option<Solved> {
+/// Value, slope and second derivative for every sample of the walls.
+pub(super) fn solve(
+    path: &Toolpath,
+    walls: &Corridor,
+    measure: Measure,
+    scale: &SolverUnits,
+) -> std::result::Result<Solved, Contradicting> {
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
     let last = walls.s.len() - 1;
     let bases = path.turns.iter().skip(1).filter_map(|t| path.locations.get(t.first)).map(|l| l.s_mm);
@@ -40,7 +44,8 @@ pub(super) fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, scale: 
             }
             Measure::SquareSecond | Measure::SquareThird => Goal::Square { third },
         };
-        let found = round_from(&part, scale, &goal, 1e-5, from)?;
+        let in_all = |Contradicting(about)| Contradicting(about.into_iter().map(|i: usize| a + i).collect());
+        let found = round_from(&part, scale, &goal, 1e-5, from).map_err(in_all)?;
         let keep = if end == b { b - a + 1 } else { b - a };
         for (i, v) in found.v.iter().enumerate().take(keep) {
             theta.push(scale.line(&part, i) + v[0]);
@@ -51,7 +56,10 @@ pub(super) fn solve(path: &Toolpath, walls: &Corridor, measure: Measure, scale: 
             break;
         }
     }
-    (theta.len() == last + 1).then(|| Solved { walls: walls.clone(), theta, slope, weights: Vec::new() })
+    if theta.len() != last + 1 {
+        return Err(Contradicting(Vec::new()));
+    }
+    Ok(Solved { walls: walls.clone(), theta, slope, weights: Vec::new() })
 }
 
 /// Samples of a turn at least.

@@ -89,8 +89,7 @@ pub fn even(
         let slopes: Vec<[f64; 2]> = (0..intervals).map(|i| band.slopes(i, rates[band.turn(i)])).collect();
         let scale = SolverUnits::of_slopes(&walls, path.turns.len(), &slopes);
         let found = round_from(&walls, &scale, &Goal::Even { slopes }, 1e-7, None);
-        let found = found.map(|found| values(&walls, &scale, &found));
-        let Some((theta, slope)) = found else { continue };
+        let Ok((theta, slope)) = found.map(|found| values(&walls, &scale, &found)) else { continue };
         let pieces = curve::hermite(&walls.s, &theta, &slope);
         let theta = bezier::sample_as(hull.one_way, &pieces, &hull.s);
         check::inside(&pieces, &theta, &hull, path)?;

@@ -9,32 +9,37 @@
 //! none above the first round's by more than [`SPARE`], and makes their mean least. A small share
 //! of `∫ θ''²` makes the answer unique: it then follows the walls continuously.
 //! *Squares* take one round.
+//!
+//! Where walls bend so sharply that no such θ keeps between them, the multipliers of the rows that
+//! contradict one another grow without end. Those intervals alone get joints between their ends, and
+//! the round is run again. A trial on a part of the samples finds most of these places, and the size
+//! of the numbers.
 
 use super::bound;
 use super::corridor::Corridor;
-use super::rounds::{EXCESS, Goal, Solved, SolverUnits, pressure, round, trial, values};
+use super::rounds::{Contradicting, Goal, Solved, SolverUnits, pressure, round, trial, values};
 use super::{Pace, ScheduleOptions, bezier, by_turn, check, curve, piecewise};
 use crate::artifact::schedule::{Measure, Schedule, ScheduleKind, Scope};
 use crate::artifact::{Channel, Toolpath};
-use crate::error::{Error, ErrorKind, Infeasible, Result, Stage as Room};
+use crate::error::{Error, Infeasible, Result, Stage as Room};
 use crate::observe::Observer;
 
 /// What the second round may add to the least peak, as a share.
 const SPARE: f64 = 1e-3;
 /// Samples of the trial that finds the size of the numbers.
 const TRIAL: usize = 3000;
-/// Where nothing goes between the walls, so many times as many samples of the trial, or joints, are
-/// taken.
+/// Where nothing goes between the walls, an interval without samples in it is cut into so many.
 const MORE: usize = 4;
-/// Rows of a trial may be missed by this where there are so many joints that none can be added.
-const TRIAL_EXCESS: f64 = 1e-5;
+/// Parts of an interval between locations at most.
+const PARTS: f64 = 64.0;
+/// Intervals either side of a place at which nothing goes between the walls that get joints.
+const BESIDE: usize = 1;
+/// How often joints are added, for a trial and for the whole.
+const TRIES: [usize; 2] = [60, 30];
 /// Blocks of a turn with a factor of their own, for the least time.
 const BLOCKS: f64 = 48.0;
-/// Intervals at least, and at most where locations are too far apart.
+/// Intervals at least.
 const FEWEST: usize = 200;
-const MOST: usize = 300_000;
-/// Intervals at most where there is room and the solver came to no end.
-const FURTHER: usize = 20_000;
 
 /// See the module's page.
 pub(super) fn plan(
@@ -97,7 +102,7 @@ pub(super) fn least_second(path: &Toolpath, channel: &Channel) -> Option<f64> {
     }
     let thin = thinned(&hull, 8 * TRIAL);
     let scale = SolverUnits::of(&thin, path.turns.len());
-    let first = round(&thin, &scale, &Goal::Peak { third: false }, 1e-5)?;
+    let first = round(&thin, &scale, &Goal::Peak { third: false }, 1e-5).ok()?;
     let y: Vec<f64> = first.costates.iter().map(|c| c[1]).collect();
     let other = pressure(&thin, &first);
     Some(either_sign(Measure::PeakSecond, &thin, &y).max(either_sign(Measure::PeakSecond, &thin, &other)))
@@ -129,8 +134,37 @@ fn refined(walls: &Corridor, parts: usize) -> Corridor {
     walls.at_all(&s)
 }
 
+/// The walls with joints added about these samples: those of `all` between them, and where there
+/// are none, [`MORE`] parts. `None` where all of that is as close as may be.
+fn closer(walls: &Corridor, all: &Corridor, about: &[usize]) -> Option<Corridor> {
+    let last = walls.s.len() - 1;
+    let mut near = vec![about.is_empty(); last];
+    for i in about {
+        near[i.saturating_sub(1 + BESIDE).min(last)..(i + 1 + BESIDE).min(last)].fill(true);
+    }
+    let mut s = Vec::with_capacity(walls.s.len() + MORE * about.len());
+    for (w, near) in walls.s.windows(2).zip(near) {
+        s.push(w[0]);
+        let between = all.s.partition_point(|x| *x <= w[0])..all.s.partition_point(|x| *x < w[1]);
+        if !near {
+            continue;
+        }
+        if !between.is_empty() {
+            s.extend(&all.s[between]);
+            continue;
+        }
+        let own = all.s[between.start.min(all.s.len() - 1)] - all.s[between.start.saturating_sub(1)];
+        if (w[1] - w[0]) * PARTS > own * (1.0 + 1e-9) {
+            s.extend((1..MORE).map(|k| w[0] + (w[1] - w[0]) * k as f64 / MORE as f64));
+        }
+    }
+    s.extend(walls.s.last());
+    s.dedup();
+    (s.len() > walls.s.len()).then(|| all.at_all(&s))
+}
+
 /// The least over the whole path, with joints at the locations; where they are too far apart to
-/// bend between walls that bend, with joints between.
+/// bend between walls that bend, with joints between, there alone.
 fn refining(
     path: &Toolpath,
     walls: &Corridor,
@@ -140,49 +174,61 @@ fn refining(
 ) -> Result<Solved> {
     let n = walls.s.len().saturating_sub(1).max(1);
     let third = matches!(options.settings.measure, Measure::PeakThird | Measure::SquareThird);
-    let mut parts = FEWEST.div_ceil(n);
-    loop {
-        let walls = if parts == 1 { walls.clone() } else { refined(walls, parts) };
-        let scale = units(&walls, path.turns.len(), third);
-        let most = if scale.is_some() { FURTHER } else { MOST };
-        let found = match scale {
-            Some(scale) => solve(path, walls, options, pace, &scale, observer),
-            None => Err(stuck(&walls, options)),
+    let parts = FEWEST.div_ceil(n);
+    let all = if parts == 1 { walls.clone() } else { refined(walls, parts) };
+    let stuck = || stuck(walls, options);
+    let (scale, on) = units(&all, path.turns.len(), third, observer)?.ok_or_else(stuck)?;
+    let mut s: Vec<f64> = all.s.iter().chain(&on.s).copied().collect();
+    s.sort_unstable_by(f64::total_cmp);
+    s.dedup();
+    let mut joints = all.at_all(&s);
+    for _ in 0..TRIES[1] {
+        let Contradicting(about) = match solve(path, joints.clone(), options, pace, &scale, observer)? {
+            Ok(found) => return Ok(found),
+            Err(contradicting) => contradicting,
         };
-        parts *= MORE;
-        match found {
-            Err(e) if e.kind == ErrorKind::Infeasible && parts <= 64 && n * parts <= most => {}
-            found => return found,
-        }
+        joints = closer(&joints, &all, &about).ok_or_else(stuck)?;
     }
+    Err(stuck())
 }
 
-/// The size of the numbers, by trials; `None` where nothing goes between the walls with joints at
-/// their samples.
-fn units(walls: &Corridor, turns: usize, third: bool) -> Option<SolverUnits> {
-    let mut scale = SolverUnits::of(walls, turns);
-    let (mut on, mut most) = (thinned(walls, TRIAL), TRIAL);
-    let excess = if MORE * walls.s.len() > FURTHER { TRIAL_EXCESS } else { EXCESS };
-    let mut sized = |scale: &SolverUnits, third| {
+/// The size of the numbers, by trials on a part of the samples, and the samples and joints between
+/// them that these needed; `None` where nothing goes between the walls.
+fn units(
+    all: &Corridor,
+    turns: usize,
+    third: bool,
+    observer: &dyn Observer,
+) -> Result<Option<(SolverUnits, Corridor)>> {
+    let mut scale = SolverUnits::of(all, turns);
+    let mut on = thinned(all, TRIAL);
+    let mut tries = TRIES[0];
+    let mut sized = |scale: &SolverUnits, third: bool| -> Result<Option<f64>> {
         loop {
-            let found = trial(&on, scale, third, excess);
-            if found.is_some() || on.s.len() == walls.s.len() {
-                return found;
+            observer.check(Room::Schedule)?;
+            // Between walls that move by more than their distance from one joint to the next nothing
+            // goes, though something does between more of them.
+            let about = match trial(&on, scale, third) {
+                Ok(found) => return Ok(Some(found.v[0][3].clamp(1e-4, 1e4))),
+                Err(Contradicting(about)) => about,
+            };
+            tries = tries.saturating_sub(1);
+            match closer(&on, all, &about) {
+                Some(more) if tries > 0 => on = more,
+                _ => return Ok(None),
             }
-            // Between walls that move by more than their distance from one of these samples to the
-            // next nothing goes, though something does between more of them.
-            most *= MORE;
-            on = if most < walls.s.len() { thinned(walls, most) } else { walls.clone() };
         }
     };
     // Twice, since the first trial may be far off in size.
     for _ in 0..2 {
-        scale.second *= sized(&scale, false)?.v[0][3].clamp(1e-4, 1e4);
+        let Some(size) = sized(&scale, false)? else { return Ok(None) };
+        scale.second *= size;
     }
     if third {
-        scale.third *= sized(&scale, true)?.v[0][3].clamp(1e-4, 1e4);
+        let Some(size) = sized(&scale, true)? else { return Ok(None) };
+        scale.third *= size;
     }
-    Some(scale)
+    Ok(Some((scale, on)))
 }
 
 fn stuck(walls: &Corridor, options: &ScheduleOptions) -> Error {
@@ -193,7 +239,7 @@ fn stuck(walls: &Corridor, options: &ScheduleOptions) -> Error {
         .advise("allow less clearance, take a more slender or longer tool, or lower schedule.margin_deg")
 }
 
-/// The least over the whole path.
+/// The least over the whole path, with joints at the samples of the walls.
 fn solve(
     path: &Toolpath,
     walls: Corridor,
@@ -201,26 +247,27 @@ fn solve(
     pace: Option<Pace>,
     scale: &SolverUnits,
     observer: &dyn Observer,
-) -> Result<Solved> {
+) -> Result<std::result::Result<Solved, Contradicting>> {
     let measure = options.settings.measure;
     let third = matches!(measure, Measure::PeakThird | Measure::SquareThird);
-    let stuck = || stuck(&walls, options);
     observer.check(Room::Schedule)?;
     if options.settings.scope == Scope::Turns && pace.is_none() {
-        return by_turn::solve(path, &walls, measure, scale).ok_or_else(stuck);
+        return Ok(by_turn::solve(path, &walls, measure, scale));
     }
-    let (last, weights) = match measure {
+    let found = match measure {
         _ if let Some(pace) = pace => {
             // What the mean slope and the trial's peak come to: where the machine is slow or the
             // channel bends sharply, γ is thousands.
             let second = scale.second / scale.length.powi(2);
             let unit = pace.needed(scale.base[1].abs(), second).max(1.0);
             let goal = Goal::Pace { pace, unit, borders: blocks(&walls, scale) };
-            let found = round(&walls, scale, &goal, 1e-4 / unit);
-            (found.ok_or_else(stuck)?, Vec::new())
+            round(&walls, scale, &goal, 1e-4 / unit).map(|found| (found, Vec::new()))
         }
         Measure::PeakSecond | Measure::PeakThird => {
-            let first = round(&walls, scale, &Goal::Peak { third }, 1e-5).ok_or_else(stuck)?;
+            let first = match round(&walls, scale, &Goal::Peak { third }, 1e-5) {
+                Ok(first) => first,
+                Err(contradicting) => return Ok(Err(contradicting)),
+            };
             observer.check(Room::Schedule)?;
             let cap = first.v[0][3] * (1.0 + SPARE);
             let borders = borders(path, &walls);
@@ -229,20 +276,23 @@ fn solve(
             if !third {
                 weights.push(pressure(&walls, &first));
             }
-            (second.unwrap_or(first), weights)
+            Ok((second.unwrap_or(first), weights))
         }
         Measure::SquareSecond | Measure::SquareThird => {
-            let found = round(&walls, scale, &Goal::Square { third }, 1e-6).ok_or_else(stuck)?;
-            let weight = if third {
-                found.costates.iter().map(|c| c[1]).collect()
-            } else {
-                found.v.iter().map(|v| v[2]).collect()
-            };
-            (found, vec![weight])
+            round(&walls, scale, &Goal::Square { third }, 1e-6).map(|found| {
+                let weight = if third {
+                    found.costates.iter().map(|c| c[1]).collect()
+                } else {
+                    found.v.iter().map(|v| v[2]).collect()
+                };
+                (found, vec![weight])
+            })
         }
     };
-    let (theta, slope) = values(&walls, scale, &last);
-    Ok(Solved { walls, theta, slope, weights })
+    Ok(found.map(|(last, weights)| {
+        let (theta, slope) = values(&walls, scale, &last);
+        Solved { walls, theta, slope, weights }
+    }))
 }
 
 /// Whether a turn begins between a sample of the walls and the next.
@@ -262,4 +312,38 @@ fn borders(path: &Toolpath, walls: &Corridor) -> Vec<bool> {
 fn blocks(walls: &Corridor, scale: &SolverUnits) -> Vec<bool> {
     let block = |s: f64| ((s - walls.s[0]) / scale.length * BLOCKS).floor();
     walls.s.windows(2).map(|w| block(w[0]) != block(w[1])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::super::tests::{channel, path};
+    use super::*;
+    use crate::observe::Silent;
+
+    /// Walls that are narrow about one corner, at a location: joints between locations come there
+    /// alone.
+    #[test]
+    fn a_corner_gets_joints_of_its_own() {
+        let n = 2000_i32;
+        let limits: Vec<[f64; 2]> = (0..=n)
+            .map(|i| {
+                let corner = 0.01 * f64::from(i) + 0.1 * f64::from((i - n / 2).max(0));
+                let half = if i.abs_diff(n / 2) < 10 { 2e-3 } else { 0.3 };
+                [corner - half, corner + half]
+            })
+            .collect();
+        let p = path(40, 50);
+        let options = ScheduleOptions::default().with(|s| (s.margin_deg, s.measure) = (0.0, Measure::SquareSecond));
+        let (_, walls) = piecewise::walls_with_margin(&p, &channel(&limits), &options, &Silent).unwrap();
+        let units = SolverUnits::of(&walls, 40);
+        let Contradicting(about) = solve(&p, walls.clone(), &options, None, &units, &Silent).unwrap().err().unwrap();
+        assert!(about.len() < 50 && about.iter().any(|i| i.abs_diff(1000) < 3), "{about:?}");
+        let found = refining(&p, &walls, &options, None, &Silent).unwrap();
+        let added: Vec<f64> = found.walls.s.iter().copied().filter(|s| !walls.s.contains(s)).collect();
+        assert!((1..200).contains(&added.len()), "{}", added.len());
+        assert!(added.iter().all(|s| (s - walls.s[1000]).abs() < 20.0), "{added:?}");
+        let s = plan(ScheduleKind::Optimal, &p, &channel(&limits), &options, &Silent).unwrap();
+        assert!(s.quality.outside_rad < 1e-8 && s.reversals == 0);
+    }
 }

@@ -20,6 +20,11 @@ const PARTS: f64 = 20.0;
 const STANDING: f64 = 0.01;
 /// Rows may be missed by this, rad where they are walls.
 pub(super) const EXCESS: f64 = 1e-8;
+/// Multipliers from which rows count as contradicting one another: this share of the greatest, or so
+/// many times as large as that which all but a few samples are below.
+const HOT: [f64; 2] = [1e-3, 1e2];
+/// Those few, as a share.
+const RARE: f64 = 0.01;
 /// What the mean factor may be above the least, as a share, for the least time.
 const PACE_GAP: f64 = 1e-2;
 
@@ -117,17 +122,27 @@ pub(super) fn pressure(walls: &Corridor, found: &Solution<X, V>) -> Vec<f64> {
     out
 }
 
-/// One run of the solver for the size of what it finds alone: rows may be missed by `excess`.
-/// `None` where they cannot be met.
-pub(super) fn trial(walls: &Corridor, scale: &SolverUnits, third: bool, excess: f64) -> Option<Solution<X, V>> {
-    let gap = 1e-4;
-    let (found, count) = run(walls, scale, &Goal::Peak { third }, gap, None)?;
-    let is_near = found.excess < excess && found.complementarity * (count as f64) < 1e3 * gap;
-    is_near.then_some(found)
+/// No curve keeps the rows: the samples at which they contradict one another. None are named where
+/// the solver came to nothing at all.
+#[derive(Debug)]
+pub(super) struct Contradicting(pub Vec<usize>);
+
+/// One run of the solver for the size of what it finds alone.
+pub(super) fn trial(
+    walls: &Corridor,
+    scale: &SolverUnits,
+    third: bool,
+) -> std::result::Result<Solution<X, V>, Contradicting> {
+    round(walls, scale, &Goal::Peak { third }, 1e-4)
 }
 
-/// One run of the solver. `None` where the rows cannot be met.
-pub(super) fn round(walls: &Corridor, scale: &SolverUnits, goal: &Goal, gap: f64) -> Option<Solution<X, V>> {
+/// One run of the solver.
+pub(super) fn round(
+    walls: &Corridor,
+    scale: &SolverUnits,
+    goal: &Goal,
+    gap: f64,
+) -> std::result::Result<Solution<X, V>, Contradicting> {
     round_from(walls, scale, goal, gap, None)
 }
 
@@ -138,23 +153,42 @@ pub(super) fn round_from(
     goal: &Goal,
     gap: f64,
     from: Option<[f64; 3]>,
-) -> Option<Solution<X, V>> {
-    let (found, count) = run(walls, scale, goal, gap, from)?;
+) -> std::result::Result<Solution<X, V>, Contradicting> {
+    let (found, rows) = run(walls, scale, goal, gap, from).ok_or(Contradicting(Vec::new()))?;
+    let count: usize = rows.iter().sum();
     let enough = match goal {
         Goal::Pace { .. } => PACE_GAP * mean_factor(walls, scale, &found),
         _ => 1e3 * gap,
     };
-    (found.excess < EXCESS && found.complementarity * (count as f64) < enough).then_some(found)
+    let is_kept = found.excess < EXCESS && found.complementarity * (count as f64) < enough;
+    if is_kept { Ok(found) } else { Err(Contradicting(contradicting(&rows, &found.multipliers))) }
 }
 
-/// What the solver comes to, and how many rows it had.
+/// The samples whose rows have multipliers far beyond all others': where rows contradict one another
+/// they grow without end. `rows` are the rows of each sample.
+fn contradicting(rows: &[usize], multipliers: &[f64]) -> Vec<usize> {
+    let mut rest = multipliers;
+    let by_sample = rows.iter().map(|count| {
+        let (own, after) = rest.split_at((*count).min(rest.len()));
+        rest = after;
+        own.iter().copied().fold(0.0, f64::max)
+    });
+    let by_sample: Vec<f64> = by_sample.collect();
+    let mut sorted = by_sample.clone();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let at = |share: f64| sorted.get((share * sorted.len() as f64) as usize).or(sorted.last()).copied().unwrap_or(0.0);
+    let least = (HOT[0] * at(1.0)).min(HOT[1] * at(1.0 - RARE));
+    (0..rows.len()).filter(|i| by_sample[*i] > least).collect()
+}
+
+/// What the solver comes to, and how many rows each sample had.
 fn run(
     walls: &Corridor,
     scale: &SolverUnits,
     goal: &Goal,
     gap: f64,
     from: Option<[f64; 3]>,
-) -> Option<(Solution<X, V>, usize)> {
+) -> Option<(Solution<X, V>, Vec<usize>)> {
     let n = walls.s.len();
     let mut all = Vec::with_capacity(n);
     for i in 0..n {
@@ -173,7 +207,8 @@ fn run(
             }
         }
     }
-    let count: usize = all.iter().map(|s: &Stage<X, V>| s.rows.len()).sum();
+    let rows: Vec<usize> = all.iter().map(|s: &Stage<X, V>| s.rows.len()).collect();
+    let count: usize = rows.iter().sum();
     let options = Options {
         fixed,
         tolerance: gap / count as f64,
@@ -182,7 +217,7 @@ fn run(
         iterations: 150,
         ..Options::default()
     };
-    Some((stages::solve(&mut all, &start, &(), &options)?, count))
+    Some((stages::solve(&mut all, &start, &(), &options)?, rows))
 }
 
 /// The mean of γ over the path, in its units.
