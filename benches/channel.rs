@@ -122,6 +122,7 @@ fn helix(count: usize, corner_mm: f64, down_to_mm: f64) -> Toolpath {
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         cones: Cones::about_blade(5f64.to_radians()),
+        axis_turning: None,
         turns,
         locations,
     }

@@ -73,6 +73,7 @@ fn along(locations: Vec<CutterLocation>) -> Toolpath {
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         cones: Cones::about_blade(5f64.to_radians()),
+        axis_turning: None,
         turns: Vec::new(),
         locations,
     }

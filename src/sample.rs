@@ -141,6 +141,7 @@ pub fn plan(turns: usize, per_turn: usize) -> Plan {
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.0099,
         cones: Cones::about_blade(B_RAD),
+        axis_turning: None,
         turns: (0..turns)
             .map(|t| Turn {
                 first: t * per_turn,

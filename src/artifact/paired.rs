@@ -162,6 +162,7 @@ impl PairedRows {
             end_reason: EndReason::Region,
             planned_scallop_mm: self.planned_scallop_mm[tool],
             cones,
+            axis_turning: None,
             turns,
             locations,
         }

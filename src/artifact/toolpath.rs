@@ -154,11 +154,34 @@ pub struct Toolpath {
     pub planned_scallop_mm: f64,
     /// The tool axes that each location allows.
     pub cones: Cones,
+    /// Of cones that a search in five axes chose: how evenly they turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axis_turning: Option<AxisTurning>,
     /// Turns in order.
     pub turns: Vec<Turn>,
     /// Locations in order.
     #[serde(with = "locations")]
     pub locations: Vec<CutterLocation>,
+}
+
+/// How evenly the tool axis of a plan in five axes turns: `∫ θ''² ds` of the two curves that its angles
+/// follow, rad²/mm³, each with a number that no curve between the same walls falls below.
+///
+/// Walls of the one angle are those with the other held, `schedule.margin_deg` of the search inside
+/// them (`docs/decisions/five-axes-are-cones-found-in-layers.md`).
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct AxisTurning {
+    /// Longitude about the rotor axis, with the latitudes of the search: value and bound.
+    pub longitude: [f64; 2],
+    /// Latitude, with these longitudes: value and bound.
+    pub latitude: [f64; 2],
+}
+
+impl AxisTurning {
+    /// Longitude's and latitude's value over its bound; `None` where the bound is 0.
+    pub fn over_bounds(&self) -> [Option<f64>; 2] {
+        [self.longitude, self.latitude].map(|[value, bound]| (bound > 0.0).then(|| value / bound))
+    }
 }
 
 /// A place of a path that a program gives.
@@ -208,6 +231,7 @@ impl Toolpath {
             end_reason: EndReason::Region,
             planned_scallop_mm: 0.0,
             cones,
+            axis_turning: None,
             turns,
             locations,
         }
@@ -376,7 +400,7 @@ impl Toolpath {
     /// The same path with other tool axes.
     #[must_use]
     pub fn with_cones(self, cones: Cones) -> Self {
-        Toolpath { cones, ..self }
+        Toolpath { cones, axis_turning: None, ..self }
     }
 }
 

@@ -35,6 +35,7 @@ fn path(points: &[(f64, Point, f64)]) -> (Toolpath, Schedule) {
         planned_scallop_mm: 0.01,
         end_reason: EndReason::Region,
         cones: Cones::about_blade(0.1),
+        axis_turning: None,
         turns: Vec::new(),
         locations,
     };

@@ -106,6 +106,7 @@ pub fn assemble(
         end_reason,
         planned_scallop_mm,
         cones: Cones::about_blade(options.lean_rad),
+        axis_turning: None,
         turns,
         locations,
     };

@@ -56,6 +56,16 @@ impl Linked {
         Linked { path, latitude: self.latitude[first..=last].to_vec(), origin: self.origin[first..=last].to_vec() }
     }
 
+    /// Centres, normals and latitudes: two stretches in which they are the same have the same curves and
+    /// channels, wherever along the path they are.
+    pub fn places(&self) -> Vec<[f64; 7]> {
+        let place = |(l, latitude): (&CutterLocation, &f64)| {
+            let (c, n) = (l.centre, l.normal);
+            [c.x, c.y, c.z, n.x, n.y, n.z, *latitude]
+        };
+        self.path.locations.iter().zip(&self.latitude).map(place).collect()
+    }
+
     /// First and last rows of the stretches that reach so far to both sides of rows of the path
     /// without links, mm.
     pub fn about(&self, rows: &[usize], reach_mm: f64) -> Vec<[usize; 2]> {

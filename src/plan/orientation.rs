@@ -1,11 +1,13 @@
 //! Cones for each location of a path, where the job asks for more than the one of a root: what
 //! `orient/` needs of the channel, and the curves that latitude and longitude follow.
 
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::Setup;
 use super::links::{self, Heights, Linked};
 use crate::artifact::schedule::{Measure, ScheduleKind};
+use crate::artifact::toolpath::AxisTurning;
 use crate::artifact::{Channel, Cone, Cones, Toolpath, Wheel};
 use crate::channel::{self, ChannelOptions, Surroundings};
 use crate::error::{Error, ErrorKind, Infeasible, Result, Stage, turn_number};
@@ -18,6 +20,8 @@ use crate::schedule::{self, ScheduleOptions};
 /// Stations of the search: the ball centre and the normal go no farther from one to the next.
 const STATION_MM: f64 = 4.0;
 const STATION_RAD: f64 = 0.12;
+/// So many of these steps apart at first.
+const APART: usize = 8;
 /// Latitudes and longitudes either side of the radial direction that are looked at, rad: at 90°
 /// of latitude the tool is along the rotor axis, and the rotary axis about that places nothing.
 const MOST_RAD: [f64; 2] = [1.31, 1.75];
@@ -126,11 +130,11 @@ fn five_axis(
     let step_rad = grid_deg.to_radians();
     let along_blade = || Error::usage(Stage::Channel, "the rotor axis is along the blade");
     let grid = DirectionGrid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
-    let stations = orient::stations(path, STATION_MM, STATION_RAD);
-    let free = free_cells(setup, &grid, &path.at(&stations), around, observer)?;
+    let closest = orient::stations(path, STATION_MM, STATION_RAD);
+    let (stations, free) = looked_at(setup, (path, &closest), &grid, around, observer)?;
     let closed = vec![false; stations.len()];
-    let (narrow, stopped, heights) = (Vec::new(), Vec::new(), Heights::default());
-    let mut search = Search { stations, free, closed, narrow, stopped, heights };
+    let (narrow, stopped, heights, passed) = (Vec::new(), Vec::new(), Heights::default(), Vec::new());
+    let mut search = Search { stations, free, closed, narrow, stopped, heights, passed };
     for tried in 0..MOST_SEARCHES {
         let Stopped { error, rows } = match along_way(setup, path, (&grid, &mut search), around, observer) {
             Ok(found) => return Ok(found),
@@ -161,6 +165,31 @@ fn five_axis(
     along_way(setup, path, (&grid, &mut search), around, observer).map_err(|stopped| stopped.error)
 }
 
+/// Stations of those that may stand closest, as many as leave no two neighbours that differ by more
+/// than where their free cells end, and what is free there.
+fn looked_at(
+    setup: &Setup,
+    (path, closest): (&Toolpath, &[usize]),
+    grid: &DirectionGrid,
+    around: &Surroundings,
+    observer: &dyn Observer,
+) -> Result<(Vec<usize>, Vec<FreeStation>)> {
+    let mut known: BTreeMap<usize, FreeStation> = BTreeMap::new();
+    let mut wanted: Vec<usize> = (0..closest.len()).step_by(APART).collect();
+    wanted.extend(closest.len().checked_sub(1).filter(|last| last % APART != 0));
+    while !wanted.is_empty() {
+        let rows: Vec<usize> = wanted.iter().map(|k| closest[*k]).collect();
+        let found = free_cells(setup, grid, &path.at(&rows), around, observer)?;
+        known.extend(wanted.into_iter().zip(found));
+        let differ = |(a, b): &((&usize, &FreeStation), (&usize, &FreeStation))| {
+            b.0 - a.0 > 1 && !(orient::alike(grid, &a.1.all, &b.1.all) && orient::alike(grid, &a.1.wide, &b.1.wide))
+        };
+        let neighbours = known.iter().zip(known.iter().skip(1));
+        wanted = neighbours.filter(differ).map(|(a, b)| a.0.midpoint(*b.0)).collect();
+    }
+    Ok(known.into_iter().map(|(k, free)| (closest[k], free)).unzip())
+}
+
 /// What is known of the free tool axes along a path.
 struct Search {
     /// Rows that are looked at, rising.
@@ -173,6 +202,8 @@ struct Search {
     /// Rows at which any way so far has stopped.
     stopped: Vec<usize>,
     heights: Heights,
+    /// Places of the stretches that have turned out well.
+    passed: Vec<Vec<[f64; 7]>>,
 }
 
 /// Free directions of the grid at a station.
@@ -303,8 +334,20 @@ fn along_way(
     };
     // All of it only where nothing stops it any more at the places that have.
     let stretches = linked.about(&search.stopped, ABOUT_MM);
-    let short = parallel::map(&stretches, |rows| stretch(&linked.part(*rows), &Silent).err());
-    let found = match short.into_iter().flatten().reduce(Stopped::and) {
+    let passed = &search.passed;
+    let short = parallel::map(&stretches, |rows| {
+        let part = linked.part(*rows);
+        let places = part.places();
+        if passed.contains(&places) { Ok(None) } else { stretch(&part, &Silent).map(|_| Some(places)) }
+    });
+    let mut stops: Vec<Stopped> = Vec::new();
+    for found in short {
+        match found {
+            Ok(places) => search.passed.extend(places),
+            Err(stopped) => stops.push(stopped),
+        }
+    }
+    let found = match stops.into_iter().reduce(Stopped::and) {
         Some(stopped) => Err(stopped),
         None => stretch(&linked, observer),
     };
@@ -327,11 +370,13 @@ fn along(
     // Longitude on the latitudes of the way, then latitude on the longitudes found.
     let parallels = |latitude: &[f64]| Cones::along(latitude.iter().map(|l| grid.parallel(*l)).collect());
     let most = [-MOST_RAD[1], MOST_RAD[1]];
-    let longitude = curve(setup, path, (parallels(&linked.latitude), most), (around, closes), observer)?;
+    let (longitude, of_longitude) =
+        curve(setup, path, (parallels(&linked.latitude), most), (around, closes), observer)?;
     let meridians: Vec<Cone> = longitude.iter().map(|l| grid.meridian(*l)).collect();
     let reach = latitudes(setup, grid);
-    let latitude = curve(setup, path, (Cones::along(meridians), reach), (around, closes), observer)?;
-    let path = path.clone().with_cones(parallels(&latitude));
+    let (latitude, of_latitude) = curve(setup, path, (Cones::along(meridians), reach), (around, closes), observer)?;
+    let mut path = path.clone().with_cones(parallels(&latitude));
+    path.axis_turning = Some(AxisTurning { longitude: of_longitude, latitude: of_latitude });
     let channel = channel::plan_or_gaps(around, &setup.job.tool, &path, &setup.channel_options(), closes, observer)?;
     Ok((path, channel))
 }
@@ -427,22 +472,25 @@ fn latitudes(setup: &Setup, grid: &DirectionGrid) -> [f64; 2] {
 }
 
 /// The smooth curve of the angle along these cones, within `limits_rad` and well inside what is
-/// free: least square of its second derivative.
+/// free: least square of its second derivative. Second: that, rad²/mm³, and a number that no such curve
+/// falls below.
 fn curve(
     setup: &Setup,
     path: &Toolpath,
     (cones, limits_rad): (Cones, [f64; 2]),
     (around, closes): (&Surroundings, &mut Vec<usize>),
     observer: &dyn Observer,
-) -> Result<Vec<f64>> {
+) -> Result<(Vec<f64>, [f64; 2])> {
     let path = path.clone().with_cones(cones);
     let options = ChannelOptions { theta_limits_rad: Some(limits_rad), ..setup.channel_options() };
     let walls = channel::plan_or_gaps(around, &setup.job.tool, &path, &options, closes, observer)?;
-    let options = ScheduleOptions { unproven: true, ..ScheduleOptions::default() }.with(|s| {
+    let options = ScheduleOptions { own_bound_alone: true, ..ScheduleOptions::default() }.with(|s| {
         s.measure = Measure::SquareSecond;
         s.margin_deg = KEEP_DEG;
     });
-    schedule::plan(ScheduleKind::Optimal, &path, &walls, &options, &Silent).map(|s| s.theta)
+    let curve = schedule::plan(ScheduleKind::Optimal, &path, &walls, &options, &Silent)?;
+    let square = curve.quality.measure.map_or([0.0; 2], |(_, value, bound)| [value, bound]);
+    Ok((curve.theta, square))
 }
 
 /// The error at a station to which no way leads.

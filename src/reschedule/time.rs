@@ -115,6 +115,7 @@ fn taken(rows: &Unrounded, cones: &[Cone], kept: &[usize], (radius_mm, chord_mm)
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.0,
         cones: Cones::along(kept.iter().map(|k| Cone { lean_rad: rows.leans[*k], ..cones[*k] }).collect()),
+        axis_turning: None,
         turns: vec![Turn { first: 0, count: locations.len(), length_mm }],
         locations,
     };

@@ -3,7 +3,7 @@
 use crate::artifact::program::{CycleTime, Program};
 use crate::artifact::report::{LimitFigures, TurningFigures};
 use crate::artifact::schedule::ScheduleKind;
-use crate::artifact::toolpath::{PathKind, Toolpath};
+use crate::artifact::toolpath::{AxisTurning, PathKind, Toolpath};
 use crate::artifact::{AxisMotion, Channel, CheckReport, Plan, Schedule};
 use crate::machine::{Axis, AxisPeak, Machine};
 
@@ -191,6 +191,9 @@ pub struct Summary {
     /// has.
     #[serde(default)]
     pub channel_monotone_min_deg: f64,
+    /// In five axes, how evenly longitude and latitude of the tool axis turn, each with its bound.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axis_turning: Option<AxisTurning>,
     /// The schedule used first, then the baselines.
     pub schedules: Vec<ScheduleFigures>,
     /// What the smooth curve gains; absent without one.
@@ -335,6 +338,7 @@ pub fn summary(
         channel_width_min_deg: width.narrowest_deg,
         channel_narrowest_row: width.narrowest_row,
         channel_monotone_min_deg: width.monotone_deg,
+        axis_turning: plan.toolpath.axis_turning,
         schedules,
         smooth: smooth_figures(plan, axes),
         limits_assumed: Vec::new(),

@@ -75,7 +75,7 @@ pub(super) fn plan(
             f.weights.iter().map(|y| either_sign(measure, &walls, y)).fold(0.0, f64::max)
         })
     };
-    if kind == ScheduleKind::Time || options.unproven {
+    if kind == ScheduleKind::Time {
         return Ok(out);
     }
     let value = match options.settings.measure {
@@ -85,6 +85,9 @@ pub(super) fn plan(
         Measure::SquareThird => curve::squares(&out.pieces)[1],
     };
     out.quality.measure = Some((options.settings.measure, value, prove(options.settings.measure, false).min(value)));
+    if options.own_bound_alone {
+        return Ok(out);
+    }
     out.quality.bound_second = match options.settings.measure {
         Measure::PeakSecond if options.settings.scope == Scope::Whole => Some(prove(Measure::PeakSecond, true)),
         _ => least_second(path, channel),

@@ -25,9 +25,8 @@ pub struct ScheduleOptions {
     /// What the rotary axis can follow at the programmed feed: kind `time` needs it, `piecewise`
     /// chooses by it.
     pub pace: Option<Pace>,
-    /// No bound is proven of what any schedule could reach: for curves of which the shape alone
-    /// counts.
-    pub unproven: bool,
+    /// No bound is proven but that of the measure: for curves of which the peak does not count.
+    pub own_bound_alone: bool,
 }
 
 /// What the rotary axis can follow at full feed.

@@ -45,6 +45,7 @@ pub(super) fn path(turns: usize, per: usize) -> Toolpath {
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         cones: Cones::about_blade(0.1),
+        axis_turning: None,
         turns,
         locations,
     }

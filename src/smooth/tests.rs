@@ -60,6 +60,7 @@ fn helix(across_mm: f64) -> (Toolpath, Vec<f64>) {
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         cones: Cones::about_blade(0.0),
+        axis_turning: None,
         turns: (0..TURNS).map(turn).collect(),
         locations,
     };

@@ -115,6 +115,7 @@ fn plan(turns: usize, per_turn: usize, lead: f64, x: impl Fn(f64) -> f64) -> Pla
             planned_scallop_mm: 0.01,
             end_reason: EndReason::Region,
             cones: Cones::about_blade(B),
+            axis_turning: None,
             turns: (0..turns)
                 .map(|k| Turn { first: k * per_turn, count: per_turn, length_mm: TAU * (PART_RADIUS + BALL) })
                 .collect(),

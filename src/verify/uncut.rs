@@ -110,6 +110,7 @@ mod tests {
             end_reason: EndReason::Region,
             planned_scallop_mm: scallop_mm,
             cones: Cones::about_blade(0.0),
+            axis_turning: None,
             turns: vec![Turn { first: 0, count: locations.len(), length_mm: 16.0 }],
             locations,
         }

@@ -53,6 +53,7 @@ fn path_of(locations: Vec<CutterLocation>, radius_mm: f64) -> Toolpath {
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         cones: Cones::about_blade(5f64.to_radians()),
+        axis_turning: None,
         turns,
         locations,
     }

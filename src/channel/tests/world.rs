@@ -147,6 +147,7 @@ pub fn helix(outline: Outline, radius_mm: f64, per_turn: usize, turns: usize, fr
         end_reason: EndReason::Region,
         planned_scallop_mm: 0.01,
         cones: Cones::about_blade(5f64.to_radians()),
+        axis_turning: None,
         turns,
         locations,
     }
