@@ -155,18 +155,6 @@ pub fn holds([lo, hi]: &[f64; 2], at_rad: f64, margin_rad: f64) -> bool {
     [0.0, 2.0 * PI, -2.0 * PI].iter().any(|t| at_rad + t - lo >= margin_rad && hi - at_rad - t >= margin_rad)
 }
 
-/// Whether two stations have the same free cells but for borders that move by a cell: beside every cell
-/// that is free at either is one that is free at both.
-pub fn alike(grid: &DirectionGrid, a: &[bool], b: &[bool]) -> bool {
-    let (rows, columns) = (grid.latitudes.len(), grid.longitudes.len());
-    let near = |k: usize, most: usize| k.saturating_sub(1)..(k + 2).min(most);
-    let is_near_both = |cell: usize| {
-        let (row, column) = (cell / columns, cell % columns);
-        near(row, rows).any(|r| near(column, columns).any(|c| a[grid.cell(r, c)] && b[grid.cell(r, c)]))
-    };
-    (0..grid.cells()).all(|cell| a[cell] == b[cell] || is_near_both(cell))
-}
-
 /// A way over the grid: longitude and latitude, rad, with which each station is reached, and with
 /// which it is left. They differ where a link leads from the ones to the others.
 #[derive(Clone, Debug, PartialEq)]
@@ -412,26 +400,6 @@ mod tests {
         let gap = of(&|c| c < 4 || c == 6);
         let way = least_way(&g, &s, &[gap.clone(), of(&|c| c < 4), of(&|c| c == 6), gap], true).unwrap();
         assert_eq!(way.arrives, way.leaves);
-    }
-
-    /// Borders may move by a cell; what is one cell wide may not move, nor come or go.
-    #[test]
-    fn stations_are_alike_where_borders_move_by_a_cell() {
-        let g = grid();
-        let columns = g.longitudes.len();
-        let of = |free: &dyn Fn(usize) -> bool| -> FreeCells { (0..g.cells()).map(|k| free(k % columns)).collect() };
-        let strip = |from: usize, to: usize| of(&|c| (from..to).contains(&c));
-        for (a, b, want) in [
-            (strip(3, 8), strip(3, 8), true),
-            (strip(3, 8), strip(4, 9), true),
-            (strip(3, 8), strip(5, 8), false),
-            (strip(3, 4), strip(4, 5), false),
-            (strip(3, 8), of(&|c| (3..8).contains(&c) || c == 12), false),
-            (strip(0, 0), strip(0, 0), true),
-            (strip(0, 0), strip(3, 4), false),
-        ] {
-            assert_eq!([alike(&g, &a, &b), alike(&g, &b, &a)], [want; 2]);
-        }
     }
 
     #[test]

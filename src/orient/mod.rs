@@ -23,7 +23,7 @@ mod settings;
 
 use crate::artifact::Toolpath;
 
-pub use field::{DirectionGrid, FreeCells, NARROW, Way, alike, free_cells, holds, least_way, wide_cells};
+pub use field::{DirectionGrid, FreeCells, NARROW, Way, free_cells, holds, least_way, wide_cells};
 pub use planes::reference_planes;
 pub use settings::{OrientationKeys, OrientationKind, OrientationSettings};
 

@@ -1,7 +1,6 @@
 //! Cones for each location of a path, where the job asks for more than the one of a root: what
 //! `orient/` needs of the channel, and the curves that latitude and longitude follow.
 
-use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::Setup;
@@ -20,8 +19,6 @@ use crate::schedule::{self, ScheduleOptions};
 /// Stations of the search: the ball centre and the normal go no farther from one to the next.
 const STATION_MM: f64 = 4.0;
 const STATION_RAD: f64 = 0.12;
-/// So many of these steps apart at first.
-const APART: usize = 8;
 /// Latitudes and longitudes either side of the radial direction that are looked at, rad: at 90°
 /// of latitude the tool is along the rotor axis, and the rotary axis about that places nothing.
 const MOST_RAD: [f64; 2] = [1.31, 1.75];
@@ -130,8 +127,8 @@ fn five_axis(
     let step_rad = grid_deg.to_radians();
     let along_blade = || Error::usage(Stage::Channel, "the rotor axis is along the blade");
     let grid = DirectionGrid::new(wheel.axis.into_inner(), Vector::x(), step_rad, MOST_RAD).ok_or_else(along_blade)?;
-    let closest = orient::stations(path, STATION_MM, STATION_RAD);
-    let (stations, free) = looked_at(setup, (path, &closest), &grid, around, observer)?;
+    let stations = orient::stations(path, STATION_MM, STATION_RAD);
+    let free = free_cells(setup, &grid, &path.at(&stations), around, observer)?;
     let closed = vec![false; stations.len()];
     let (narrow, stopped, heights, passed) = (Vec::new(), Vec::new(), Heights::default(), Vec::new());
     let mut search = Search { stations, free, closed, narrow, stopped, heights, passed };
@@ -163,31 +160,6 @@ fn five_axis(
         }
     }
     along_way(setup, path, (&grid, &mut search), around, observer).map_err(|stopped| stopped.error)
-}
-
-/// Stations of those that may stand closest, as many as leave no two neighbours that differ by more
-/// than where their free cells end, and what is free there.
-fn looked_at(
-    setup: &Setup,
-    (path, closest): (&Toolpath, &[usize]),
-    grid: &DirectionGrid,
-    around: &Surroundings,
-    observer: &dyn Observer,
-) -> Result<(Vec<usize>, Vec<FreeStation>)> {
-    let mut known: BTreeMap<usize, FreeStation> = BTreeMap::new();
-    let mut wanted: Vec<usize> = (0..closest.len()).step_by(APART).collect();
-    wanted.extend(closest.len().checked_sub(1).filter(|last| last % APART != 0));
-    while !wanted.is_empty() {
-        let rows: Vec<usize> = wanted.iter().map(|k| closest[*k]).collect();
-        let found = free_cells(setup, grid, &path.at(&rows), around, observer)?;
-        known.extend(wanted.into_iter().zip(found));
-        let differ = |(a, b): &((&usize, &FreeStation), (&usize, &FreeStation))| {
-            b.0 - a.0 > 1 && !(orient::alike(grid, &a.1.all, &b.1.all) && orient::alike(grid, &a.1.wide, &b.1.wide))
-        };
-        let neighbours = known.iter().zip(known.iter().skip(1));
-        wanted = neighbours.filter(differ).map(|(a, b)| a.0.midpoint(*b.0)).collect();
-    }
-    Ok(known.into_iter().map(|(k, free)| (closest[k], free)).unzip())
 }
 
 /// What is known of the free tool axes along a path.
