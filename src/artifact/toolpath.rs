@@ -164,8 +164,8 @@ pub struct Toolpath {
     pub locations: Vec<CutterLocation>,
 }
 
-/// How evenly the tool axis of a plan in five axes turns: `∫ θ''² ds` of the two curves that its angles
-/// follow, rad²/mm³, each with a number that no curve between the same walls falls below.
+/// How evenly the tool axis of a plan in five axes turns: `∫ θ''² ds` of the two curves that its
+/// angles follow, rad²/mm³, each with a number that no curve between the same walls falls below.
 ///
 /// Walls of the one angle are those with the other held, `schedule.margin_deg` of the search inside
 /// them (`docs/decisions/five-axes-are-cones-found-in-layers.md`).

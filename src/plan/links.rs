@@ -56,8 +56,8 @@ impl Linked {
         Linked { path, latitude: self.latitude[first..=last].to_vec(), origin: self.origin[first..=last].to_vec() }
     }
 
-    /// Centres, normals and latitudes: two stretches in which they are the same have the same curves and
-    /// channels, wherever along the path they are.
+    /// Centres, normals and latitudes: two stretches in which they are the same have the same
+    /// curves and channels, wherever along the path they are.
     pub fn places(&self) -> Vec<[f64; 7]> {
         let place = |(l, latitude): (&CutterLocation, &f64)| {
             let (c, n) = (l.centre, l.normal);

@@ -444,8 +444,8 @@ fn latitudes(setup: &Setup, grid: &DirectionGrid) -> [f64; 2] {
 }
 
 /// The smooth curve of the angle along these cones, within `limits_rad` and well inside what is
-/// free: least square of its second derivative. Second: that, rad²/mm³, and a number that no such curve
-/// falls below.
+/// free: least square of its second derivative. Second: that, rad²/mm³, and a number that no such
+/// curve falls below.
 fn curve(
     setup: &Setup,
     path: &Toolpath,

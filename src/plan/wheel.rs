@@ -388,6 +388,9 @@ mod tests {
             }
         };
         assert!(matches!(plan.toolpath.cones, crate::artifact::Cones::Each(_)));
+        let turning = plan.toolpath.axis_turning.unwrap();
+        let is_proven = |over: Option<f64>| over.is_some_and(|over| (1.0 - 1e-9..1.01).contains(&over));
+        assert!(turning.over_bounds().into_iter().all(is_proven), "{turning:?}");
         let hub = |plan: &Plan| {
             let verdict = setup.verdict(plan.clone(), &Silent).unwrap();
             let checks = match &verdict {

@@ -42,19 +42,21 @@ pub(super) fn prove(measure: Measure, walls: &Corridor, y: &[f64]) -> f64 {
     if bound.is_finite() { bound.max(0.0) } else { 0.0 }
 }
 
-/// The weight that is `y` where θ is within `near_rad` of a wall, and at both ends, and straight
+/// The weight that is `y` where θ is within `near_rad` of a wall, 0 at both ends, and straight
 /// between: elsewhere the weight of the best schedule does not bend, and what a solver leaves of
 /// bends there costs as much as the channel is wide.
 pub(super) fn at_walls(walls: &Corridor, theta: &[f64], y: &[f64], near_rad: f64) -> Vec<f64> {
     let n = walls.s.len().min(theta.len()).min(y.len());
-    let touches = |i: &usize| (theta[*i] - walls.lo[*i]).min(walls.hi[*i] - theta[*i]) <= near_rad;
-    let kept: Vec<usize> = (0..n).filter(|i| *i == 0 || i + 1 == n || touches(i)).collect();
-    let mut out = y.to_vec();
+    let is_end = |i: usize| i == 0 || i + 1 == n;
+    let touches = |i: usize| (theta[i] - walls.lo[i]).min(walls.hi[i] - theta[i]) <= near_rad;
+    let kept: Vec<usize> = (0..n).filter(|i| is_end(*i) || touches(*i)).collect();
+    let at = |i: usize| if is_end(i) { 0.0 } else { y[i] };
+    let mut out: Vec<f64> = (0..n).map(at).collect();
     for pair in kept.windows(2) {
         let [a, b] = [pair[0], pair[1]];
         for i in a + 1..b {
             let share = (walls.s[i] - walls.s[a]) / (walls.s[b] - walls.s[a]);
-            out[i] = y[a] + share * (y[b] - y[a]);
+            out[i] = at(a) + share * (at(b) - at(a));
         }
     }
     out

@@ -20,8 +20,8 @@ const PARTS: f64 = 20.0;
 const STANDING: f64 = 0.01;
 /// Rows may be missed by this, rad where they are walls.
 pub(super) const EXCESS: f64 = 1e-8;
-/// Multipliers from which rows count as contradicting one another: this share of the greatest, or so
-/// many times as large as that which all but a few samples are below.
+/// Multipliers from which rows count as contradicting one another: this share of the greatest, or
+/// so many times as large as that which all but a few samples are below.
 const HOT: [f64; 2] = [1e-3, 1e2];
 /// Those few, as a share.
 const RARE: f64 = 0.01;
@@ -164,8 +164,8 @@ pub(super) fn round_from(
     if is_kept { Ok(found) } else { Err(Contradicting(contradicting(&rows, &found.multipliers))) }
 }
 
-/// The samples whose rows have multipliers far beyond all others': where rows contradict one another
-/// they grow without end. `rows` are the rows of each sample.
+/// The samples whose rows have multipliers far beyond all others': where rows contradict one
+/// another they grow without end. `rows` are the rows of each sample.
 fn contradicting(rows: &[usize], multipliers: &[f64]) -> Vec<usize> {
     let mut rest = multipliers;
     let by_sample = rows.iter().map(|count| {
