@@ -356,8 +356,8 @@ mod tests {
         assert!(s.quality.outside_rad < 1e-8 && s.reversals == 0);
     }
 
-    /// Bends of a weight away from the walls cost as much as the channel is wide. Through 0, 1 and 0,
-    /// 50 mm apart, `∫ θ''²` is `6 / 50³` at least: a weight that bends there alone proves it.
+    /// Bends of a weight away from the walls cost as much as the channel is wide. Through 0, 1 and
+    /// 0, 50 mm apart, `∫ θ''²` is `6 / 50³` at least: a weight that bends there alone proves it.
     #[test]
     fn weights_that_bend_at_the_walls_alone_prove_more() {
         let at = |i: usize, half: f64| match i {
