@@ -167,8 +167,8 @@ pub struct Toolpath {
 /// How evenly the tool axis of a plan in five axes turns: `∫ θ''² ds` of the two curves that its
 /// angles follow, rad²/mm³, each with a number that no curve between the same walls falls below.
 ///
-/// Walls of the one angle are those with the other held, `schedule.margin_deg` of the search inside
-/// them (`docs/decisions/five-axes-are-cones-found-in-layers.md`).
+/// Walls of the one angle are those with the other held, moved inwards by what the search keeps
+/// from them (`docs/decisions/five-axes-are-cones-found-in-layers.md`).
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct AxisTurning {
     /// Longitude about the rotor axis, with the latitudes of the search: value and bound.

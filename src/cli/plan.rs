@@ -166,7 +166,7 @@ fn print_summary(s: &Summary) {
     row("least clearance", format!("{:.3} mm", s.clearance_mm));
     print_channel(s.channel_width_min_deg, s.channel_narrowest_row, s.channel_monotone_min_deg);
     if let Some(turning) = &s.axis_turning {
-        let over = turning.over_bounds().map(|over| over.map_or("no bound".to_owned(), |over| format!("{over:.4}")));
+        let over = turning.over_bounds().map(|over| over.map_or("bound 0".to_owned(), |over| format!("{over:.4}")));
         row("longitude, latitude over bound", over.join(", "));
     }
     if let Some(turning) = &s.turning {

@@ -17,7 +17,7 @@
 
 use super::bound;
 use super::corridor::Corridor;
-use super::rounds::{Contradicting, Goal, Solved, SolverUnits, pressure, round, trial, values};
+use super::rounds::{Contradicting, Goal, Solved, SolverUnits, pressure, round, values};
 use super::{Pace, ScheduleOptions, bezier, by_turn, check, curve, piecewise};
 use crate::artifact::schedule::{Measure, Schedule, ScheduleKind, Scope};
 use crate::artifact::{Channel, Toolpath};
@@ -28,6 +28,8 @@ use crate::observe::Observer;
 const SPARE: f64 = 1e-3;
 /// Samples of the trial that finds the size of the numbers.
 const TRIAL: usize = 3000;
+/// Of a trial the size of what it finds counts alone: the solver may end so far from the least.
+const TRIAL_GAP: f64 = 1e-4;
 /// Where nothing goes between the walls, an interval without samples in it is cut into so many.
 const MORE: usize = 4;
 /// Parts of an interval between locations at most.
@@ -217,7 +219,7 @@ fn units(
             observer.check(Room::Schedule)?;
             // Between walls that move by more than their distance from one joint to the next
             // nothing goes, though something does between more of them.
-            let about = match trial(&on, scale, third) {
+            let about = match round(&on, scale, &Goal::Peak { third }, TRIAL_GAP) {
                 Ok(found) => return Ok(Some(found.v[0][3].clamp(1e-4, 1e4))),
                 Err(Contradicting(about)) => about,
             };

@@ -19,7 +19,7 @@ const PARTS: f64 = 20.0;
 /// Share of the slope that full feed allows which counts as standing still.
 const STANDING: f64 = 0.01;
 /// Rows may be missed by this, rad where they are walls.
-pub(super) const EXCESS: f64 = 1e-8;
+const EXCESS: f64 = 1e-8;
 /// Multipliers from which rows count as contradicting one another: this share of the greatest, or
 /// so many times as large as that which all but a few samples are below.
 const HOT: [f64; 2] = [1e-3, 1e2];
@@ -126,15 +126,6 @@ pub(super) fn pressure(walls: &Corridor, found: &Solution<X, V>) -> Vec<f64> {
 /// the solver came to nothing at all.
 #[derive(Debug)]
 pub(super) struct Contradicting(pub Vec<usize>);
-
-/// One run of the solver for the size of what it finds alone.
-pub(super) fn trial(
-    walls: &Corridor,
-    scale: &SolverUnits,
-    third: bool,
-) -> std::result::Result<Solution<X, V>, Contradicting> {
-    round(walls, scale, &Goal::Peak { third }, 1e-4)
-}
 
 /// One run of the solver.
 pub(super) fn round(
