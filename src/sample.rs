@@ -448,6 +448,9 @@ pub fn plates(blades: u32, half_mm: f64) -> (Blade, Wheel) {
 /// Blades of the [`impeller`].
 pub const IMPELLER_BLADES: u32 = 9;
 
+/// Places along it.
+const IMPELLER_ALONG: usize = 56;
+
 /// Contours of hub (0) and tips (1) of the [`impeller`] at a share of their length: along the rotor
 /// axis z, radius; mm. Quarters of ellipses, from along the axis to across it.
 pub fn impeller_contour(which: usize, t: f64) -> [f64; 2] {
@@ -459,54 +462,99 @@ pub fn impeller_contour(which: usize, t: f64) -> [f64; 2] {
 /// An impeller in facets, rotor axis z: a round hub, and blades of the same thickness all the way
 /// that wind round it by an angle. They reach a little into the hub, and are bodies of their own.
 pub fn impeller() -> Mesh {
-    const ALONG: usize = 56;
+    let mut mesh = impeller_hub();
+    for blade in 0..IMPELLER_BLADES {
+        add_impeller_blade(&mut mesh, std::f64::consts::TAU * f64::from(blade) / f64::from(IMPELLER_BLADES));
+    }
+    mesh
+}
+
+/// The hub of [`impeller`].
+pub fn impeller_hub() -> Mesh {
     const ROUND: u32 = 240;
     let mut mesh = Mesh::default();
-    let add = |mesh: &mut Mesh, rings: &[Vec<Point>]| {
-        let (first, n) = (mesh.points.len() as u32, rings[0].len() as u32);
-        mesh.points.extend(rings.iter().flatten());
-        for r in 0..rings.len() as u32 - 1 {
-            for k in 0..n {
-                let [a, b] = [k, (k + 1) % n].map(|k| first + r * n + k);
-                mesh.triangles.extend([[a, b, b + n], [a, b + n, a + n]]);
-            }
-        }
-    };
-    let contour = |which| move |k: usize| impeller_contour(which, k as f64 / ALONG as f64);
     let profile: Vec<[f64; 2]> = [[-8.0, 1e-3], [-8.0, 60.0]]
         .into_iter()
-        .chain((0..=ALONG).rev().map(contour(0)))
+        .chain((0..=IMPELLER_ALONG).rev().map(|k| impeller_contour(0, k as f64 / IMPELLER_ALONG as f64)))
         .chain([[46.0, 14.0], [46.0, 1e-3]])
         .collect();
     let ring = |[z, r]: &[f64; 2]| {
         let at = |k: u32| (std::f64::consts::TAU * f64::from(k) / f64::from(ROUND)).sin_cos();
         (0..ROUND).map(at).map(|(s, c)| Point::new(r * c, r * s, *z)).collect()
     };
-    add(&mut mesh, &profile.iter().map(ring).collect::<Vec<_>>());
-    for blade in 0..IMPELLER_BLADES {
-        let turn = std::f64::consts::TAU * f64::from(blade) / f64::from(IMPELLER_BLADES);
-        let place = |t: f64, share: f64, side: f64| {
-            let [foot, head] = [0, 1].map(|which| impeller_contour(which, t));
-            let [z, r] = [0, 1].map(|k| foot[k] + (head[k] - foot[k]) * share);
-            // Blunt at both ends.
-            let thin = (1.0 - (2.0 * t - 1.0).abs().powi(6)).max(0.0).sqrt();
-            let angle = turn + t + side * thin / r;
+    add_tube(&mut mesh, &profile.iter().map(ring).collect::<Vec<_>>());
+    mesh
+}
+
+/// One sector of [`impeller`]: the blade at 0 with its share of the hub, whose sides wind as the
+/// blade does.
+pub fn impeller_sector() -> Mesh {
+    const ROUND: usize = 26;
+    let mut mesh = Mesh::default();
+    let n = IMPELLER_ALONG;
+    // Along the hub, and a line beside the rotor axis under it.
+    let outer = |k: usize| match k {
+        0 => (0.0, [46.0, 14.0]),
+        k if k == n + 2 => (1.0, [-8.0, 60.0]),
+        k => ((k - 1) as f64 / n as f64, impeller_contour(0, (k - 1) as f64 / n as f64)),
+    };
+    let line = |j: usize| -> Vec<Point> {
+        let share = j as f64 / ROUND as f64 - 0.5;
+        let place = |k: usize, inner: bool| {
+            let (winds, [z, r]) = outer(k);
+            let angle = winds + share * std::f64::consts::TAU / f64::from(IMPELLER_BLADES);
+            let r = if inner { 1e-3 } else { r };
             Point::new(r * angle.cos(), r * angle.sin(), z)
         };
-        let section = |share: f64| -> Vec<Point> {
-            let there = (0..ALONG).map(|k| place(k as f64 / ALONG as f64, share, -1.0));
-            let back = (0..ALONG).rev().map(|k| place((k + 1) as f64 / ALONG as f64, share, 1.0));
-            there.chain(back).collect()
-        };
-        let shares = [-0.03, 0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
-        let mut rings: Vec<Vec<Point>> = shares.map(section).to_vec();
-        // Closed along the middle of its thickness.
-        for (at, share) in [(0, shares[0]), (rings.len() + 1, 1.0)] {
-            let flat = (0..2 * ALONG).map(|k| if k <= ALONG { k } else { 2 * ALONG - k });
-            let middle = flat.map(|k| place(k as f64 / ALONG as f64, share, 0.0));
-            rings.insert(at, middle.collect());
-        }
-        add(&mut mesh, &rings);
+        (0..n + 3).map(|k| place(k, false)).chain((0..n + 3).rev().map(|k| place(k, true))).collect()
+    };
+    let lines: Vec<Vec<Point>> = (0..=ROUND).map(line).collect();
+    add_tube(&mut mesh, &lines);
+    // Its two sides.
+    let (count, last) = (2 * (n as u32 + 3), ROUND as u32 * 2 * (n as u32 + 3));
+    for k in 0..n as u32 + 2 {
+        let [a, b, c, d] = [k, k + 1, count - 2 - k, count - 1 - k];
+        mesh.triangles.extend([[a, c, b], [a, d, c]]);
+        mesh.triangles.extend([[a, b, c], [a, c, d]].map(|t| t.map(|p| last + p)));
     }
+    add_impeller_blade(&mut mesh, 0.0);
     mesh
+}
+
+/// Adds facets between rings of as many points.
+pub fn add_tube(mesh: &mut Mesh, rings: &[Vec<Point>]) {
+    let (first, n) = (mesh.points.len() as u32, rings[0].len() as u32);
+    mesh.points.extend(rings.iter().flatten());
+    for r in 0..rings.len() as u32 - 1 {
+        for k in 0..n {
+            let [a, b] = [k, (k + 1) % n].map(|k| first + r * n + k);
+            mesh.triangles.extend([[a, b, b + n], [a, b + n, a + n]]);
+        }
+    }
+}
+
+/// Adds a blade of [`impeller`] that begins at an angle.
+pub fn add_impeller_blade(mesh: &mut Mesh, turn: f64) {
+    let place = |t: f64, share: f64, side: f64| {
+        let [foot, head] = [0, 1].map(|which| impeller_contour(which, t));
+        let [z, r] = [0, 1].map(|k| foot[k] + (head[k] - foot[k]) * share);
+        // Blunt at both ends.
+        let thin = (1.0 - (2.0 * t - 1.0).abs().powi(6)).max(0.0).sqrt();
+        let angle = turn + t + side * thin / r;
+        Point::new(r * angle.cos(), r * angle.sin(), z)
+    };
+    let at = |k: usize| k as f64 / IMPELLER_ALONG as f64;
+    let section = |share: f64| -> Vec<Point> {
+        let there = (0..IMPELLER_ALONG).map(|k| place(at(k), share, -1.0));
+        there.chain((0..IMPELLER_ALONG).rev().map(|k| place(at(k + 1), share, 1.0))).collect()
+    };
+    let shares = [-0.03, 0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
+    let mut rings: Vec<Vec<Point>> = shares.map(section).to_vec();
+    // Closed along the middle of its thickness.
+    for (to, share) in [(0, shares[0]), (rings.len() + 1, 1.0)] {
+        let flat = (0..2 * IMPELLER_ALONG).map(|k| if k <= IMPELLER_ALONG { k } else { 2 * IMPELLER_ALONG - k });
+        let middle = flat.map(|k| place(at(k), share, 0.0));
+        rings.insert(to, middle.collect());
+    }
+    add_tube(mesh, &rings);
 }

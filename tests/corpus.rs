@@ -101,8 +101,23 @@ fn corpus_scanned_turbine_blade() {
 fn corpus_turbocharger_sector() {
     // The blade stands radially, and the back plate of the hub sector is in the way of the tool at
     // once.
-    let options = set(&["tool.radius_mm=1", "tool.taper_deg=2", "region.start_mm=36", "region.end_mm=31"]);
+    let mut options = set(&["tool.radius_mm=1", "tool.taper_deg=2", "region.start_mm=36", "region.end_mm=31"]);
+    options.extend(["--axis", "0,0,1"]);
     ends("turbocharger_turbine_sector.stl", &options, 3, "the channel closes at turn 1");
+}
+
+/// Along the heights over its hub, which turns, its blade is milled from the tips down to the hub.
+/// The disc is cut out between the blades.
+#[test]
+#[ignore = "real blades, see the file's head"]
+fn corpus_turbocharger_sector_over_its_hub() {
+    let mut options = set(&["tool.radius_mm=0.75", "tool.taper_deg=3", "tool.shank_radius_mm=3"]);
+    let machine = concat!("machine.file=", env!("CARGO_MANIFEST_DIR"), "/models/machines/trunnion_ac.toml");
+    options.extend(set(&["tool.stickout_mm=60", machine]));
+    if is_short() {
+        options.extend(set(&["region.end_mm=16"]));
+    }
+    plans("turbocharger_turbine_sector.stl", 0.02, &options);
 }
 
 #[test]

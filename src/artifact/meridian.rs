@@ -23,6 +23,8 @@ const LINES: usize = 24;
 const BEYOND: f64 = 0.25;
 /// Beyond both ends lines stop to turn over this share of a contour.
 const SOON: f64 = 0.05;
+/// The edges of a blade are within this share of its length.
+const AT_END: f64 = 0.1;
 /// Newton steps for the line through a place.
 const STEPS: usize = 20;
 /// The line is known to this share of a contour.
@@ -268,6 +270,15 @@ impl Meridian {
         self.origin + self.axis * q.x + (from * c + self.axis.cross(from) * s) * q.y
     }
 
+    /// Whether surface with this place and normal is the blunt edge of a blade: at one end, between
+    /// hub and tips, and facing along the flow rather than towards either.
+    pub fn is_edge(&self, p: &Point, normal: &Vector) -> bool {
+        let place = self.place(&self.seen(p).0);
+        let [up, _, across] = self.directions(p).map(|d| d.dot(normal).abs());
+        let amid = AT_END..1.0 - AT_END;
+        across > up && !amid.contains(&place.along) && (0.0..1.0).contains(&place.share)
+    }
+
     /// Unit vector away from the axis at a point.
     pub fn out(&self, p: &Point) -> Vector {
         self.seen(p).1
@@ -364,6 +375,26 @@ mod tests {
                 assert!((m.height_mm(&p) - 8.0).abs() < 2.0, "{} at {k}", m.height_mm(&p));
                 assert!((m.along(&p) - t) * sign >= -1e-9, "{}", m.along(&p));
                 last = p;
+            }
+        }
+    }
+
+    /// Blunt edges face along the flow at either end; hub, tips, sides and what lies amid do not.
+    #[test]
+    fn edges_face_along_the_flow_at_the_ends() {
+        let m = meridian();
+        let from = m.out(&point(&m, 0.5, 30.0, 0.3));
+        for t in [0.0, 0.5, 1.0] {
+            let p = m.point(t, 8.0, &from, 0.0);
+            let [up, round, across] = m.directions(&p);
+            let is_end = t != 0.5;
+            let aslant = (across + up * 0.4 + round * 0.3).normalize();
+            for (n, is_edge) in [(across, is_end), (-across, is_end), (aslant, is_end), (up, false), (-up, false)] {
+                assert_eq!(m.is_edge(&p, &n), is_edge, "{t} {n}");
+            }
+            // Ends of hub and shroud beyond the blade are none.
+            for height in [-1.0, 17.0] {
+                assert!(!m.is_edge(&m.point(t, height, &from, 0.0), &across), "{t} {height}");
             }
         }
     }

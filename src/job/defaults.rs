@@ -197,7 +197,7 @@ impl Draft {
             tool_2: second.map(|s| s.tool),
             fixture: t.fixture.into_iter().flatten().map(|f| body("fixture", f)).collect::<Result<_>>()?,
             stock: t.stock.map(|f| body("stock", f)).transpose()?,
-            wheel: wheel::settled(t.wheel, blade.wheel.as_ref())?,
+            wheel: wheel::settled(t.wheel, blade.wheel.as_ref(), blade.regions.over_hub().is_some())?,
             orientation: orientation(t.orientation, blade)?,
             cut: t.cut.map(|c| CutSettings::default().with_typed(Some(c))),
             pinch: t.pinch.map(|p| PinchSettings::default().with_typed(Some(p))),

@@ -17,14 +17,19 @@ const ALIKE_DEG: f64 = 0.1;
 /// … and this, mm.
 const ALIKE_MM: f64 = 0.1;
 
-/// The wheel of the job: a model of a whole wheel needs no section; of one sector the section says
-/// that its wheel is meant; what a section leaves out is the model's.
+/// The wheel of the job: a model of a whole wheel needs no section. Of one sector the section says
+/// that its wheel is meant, unless its hub `turns`: there the blade has no height but over the hub.
+/// What a section leaves out is the model's.
 ///
 /// # Errors
 /// `Usage`: a hub for a model that has its own. `Infeasible`: another wheel than the model's.
-pub(super) fn settled(keys: Option<WheelKeys>, found: Option<&ModelWheel>) -> Result<Option<WheelSettings>> {
+pub(super) fn settled(
+    keys: Option<WheelKeys>,
+    found: Option<&ModelWheel>,
+    turns: bool,
+) -> Result<Option<WheelSettings>> {
     let (keys, found) = match (keys, found) {
-        (None, Some(found)) if found.whole => (WheelKeys::default(), found),
+        (None, Some(found)) if found.whole || turns => (WheelKeys::default(), found),
         (None, _) => return Ok(None),
         (keys, None) => return Ok(Some(WheelSettings::default().with_typed(keys))),
         (Some(keys), Some(found)) => (keys, found),
@@ -77,7 +82,10 @@ impl Draft {
     /// # Errors
     /// `Usage`: values out of their limits, contours between which lines cross.
     pub fn over_hub(&self, blade: Blade) -> Result<Blade> {
-        let Some(settings) = settled(self.typed_wheel(), blade.wheel.as_ref())? else { return Ok(blade) };
+        let Some(settings) = settled(self.typed_wheel(), blade.wheel.as_ref(), blade.regions.over_hub().is_some())?
+        else {
+            return Ok(blade);
+        };
         if settings.tip_mm.is_empty() {
             return Ok(blade);
         }
@@ -96,8 +104,9 @@ impl Draft {
         let (mesh, is_exact) = (&blade.part.mesh, blade.part.brep.is_some());
         let faces_round = |t: usize| {
             let [a, b, c] = mesh.corners(t);
-            let round = axis.cross(&meridian.out(&Point::from((a.coords + b.coords + c.coords) / 3.0)));
-            mesh.normal(t).dot(&round).abs() > FACES_ROUND
+            let (middle, normal) = (Point::from((a.coords + b.coords + c.coords) / 3.0), mesh.normal(t));
+            let round = axis.cross(&meridian.out(&middle));
+            normal.dot(&round).abs() > FACES_ROUND || meridian.is_edge(&middle, &normal)
         };
         let airfoil: Vec<u32> = (0..mesh.triangles.len() as u32).filter(|t| faces_round(*t as usize)).collect();
         let patch = Patch::most_of(mesh, airfoil, is_exact);
@@ -144,17 +153,18 @@ mod tests {
 
     #[test]
     fn what_the_section_leaves_out_is_the_models() {
-        let whole = settled(None, Some(&FOUND)).unwrap().unwrap();
+        let whole = settled(None, Some(&FOUND), false).unwrap().unwrap();
         assert_eq!((whole.blades, whole.axis, whole.origin_mm), (6, [0.0, 1.0, 0.0], [3.0, 9.0, -2.0]));
         let sector = ModelWheel { whole: false, ..FOUND };
-        assert_eq!(settled(None, Some(&sector)).unwrap(), None);
-        assert_eq!(settled(Some(WheelKeys::default()), Some(&sector)).unwrap(), Some(whole.clone()));
+        assert_eq!(settled(None, Some(&sector), false).unwrap(), None);
+        assert_eq!(settled(None, Some(&sector), true).unwrap(), Some(whole.clone()));
+        assert_eq!(settled(Some(WheelKeys::default()), Some(&sector), false).unwrap(), Some(whole.clone()));
         let along =
             WheelKeys { axis: Some([0.0, -2.0, 0.0]), origin_mm: Some([3.0, 50.0, -2.05]), ..WheelKeys::default() };
-        let along = settled(Some(along), Some(&FOUND)).unwrap().unwrap();
+        let along = settled(Some(along), Some(&FOUND), false).unwrap().unwrap();
         assert_eq!((along.axis, along.origin_mm, along.blades), ([0.0, -2.0, 0.0], [3.0, 50.0, -2.05], 6));
         let lone = WheelKeys { blades: Some(7), axis: Some([1.0, 0.0, 0.0]), ..WheelKeys::default() };
-        assert_eq!(settled(Some(lone), None).unwrap().unwrap().blades, 7);
+        assert_eq!(settled(Some(lone), None, false).unwrap().unwrap().blades, 7);
     }
 
     #[test]
@@ -169,7 +179,7 @@ mod tests {
 
     #[test]
     fn another_wheel_than_the_models_is_refused() {
-        let refused = |keys: WheelKeys| settled(Some(keys), Some(&FOUND)).unwrap_err().message;
+        let refused = |keys: WheelKeys| settled(Some(keys), Some(&FOUND), false).unwrap_err().message;
         let none = WheelKeys::default;
         assert!(refused(WheelKeys { blades: Some(12), ..none() }).contains("repeats every 60.000°, 6 times"));
         assert!(refused(WheelKeys { axis: Some([0.0, 1.0, 0.01]), ..none() }).contains("0.57° and 0.000 mm off"));

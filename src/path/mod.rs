@@ -140,12 +140,10 @@ fn ends_on_hub(blade: &Blade, options: &PathOptions) -> Result<Option<PathOption
         return Ok(None);
     }
     let mut out = options.clone();
-    let of_part = blade.wheel.is_some_and(|wheel| wheel.whole);
     let radius_mm = options.radius_mm + options.settings.stock_mm;
-    let on_hub_mm = if of_part {
-        radius_mm - OFF_HUB * options.radius_mm
-    } else {
-        radius_mm + options.hub_clearance_mm + ABOVE_CONTOUR_MM
+    let on_hub_mm = match options.hub_clearance_mm {
+        None => radius_mm - OFF_HUB * options.radius_mm,
+        Some(clearance_mm) => radius_mm + clearance_mm + ABOVE_CONTOUR_MM,
     };
     out.extent.ends.push(Boundary::Height(on_hub_mm));
     Ok(Some(out))
@@ -160,9 +158,10 @@ fn hub_rows(blade: &Blade, options: &PathOptions, observer: &dyn Observer) -> Re
     if blade.regions.over_hub().is_some() {
         let message =
             "path.kind is hub-rows, but the hub turns from along the rotor axis to across it: rows run along that axis";
-        return Err(
-            Error::usage(Stage::Path, message).advise("leave path.kind out: turns round the blade end on the hub")
-        );
+        let of_sector = blade.wheel.is_some_and(|wheel| !wheel.whole);
+        let or = if of_sector { ", or give the axis along which the blade of the sector stands (--axis)" } else { "" };
+        let advice = format!("leave path.kind out: turns round the blade end on the hub{or}");
+        return Err(Error::usage(Stage::Path, message).advise(advice));
     }
     hub::plan(blade, &plain_level(blade, options)?, wheel, options, observer)
 }

@@ -26,8 +26,9 @@ pub struct PathOptions {
     pub extent: Extent,
     /// The wheel over whose hub rows are to go; `None` for all other kinds of path.
     pub hub_of: Option<Wheel>,
-    /// What the ball keeps from a hub that is given by its contour alone, mm.
-    pub hub_clearance_mm: f64,
+    /// What the ball keeps from a hub that is given by its contour alone, mm; `None` where the part
+    /// has its hub.
+    pub hub_clearance_mm: Option<f64>,
     /// Lean of the tool axis over the plane square to the blade axis, towards the tip, rad: where
     /// the spindle's pivot stays. How turns lie does not depend on it.
     pub lean_rad: f64,
@@ -46,7 +47,7 @@ impl PathOptions {
             start_near: None,
             extent: Extent::default(),
             hub_of: None,
-            hub_clearance_mm: 0.0,
+            hub_clearance_mm: None,
             lean_rad: MachineSettings::default().b_deg.to_radians(),
         }
     }

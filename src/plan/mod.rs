@@ -150,6 +150,7 @@ impl Setup {
     /// Options of the path as the job has them.
     pub fn path_options(&self) -> PathOptions {
         let r = &self.job.region;
+        let hub_is_aside = self.job.wheel.as_ref().is_some_and(|w| !w.hub_mm.is_empty());
         let faces = self.end_faces.contains(&true).then(|| Boundary::Faces(self.end_faces.clone()));
         let ends = r.end_mm.map(Boundary::Height).into_iter().chain(faces);
         PathOptions {
@@ -159,7 +160,7 @@ impl Setup {
             start_near: self.start_near,
             extent: Extent { ends: ends.collect(), ..Extent::heights(Some(r.start_mm), None) },
             hub_of: self.hub_of(),
-            hub_clearance_mm: self.job.channel.clearance_mm,
+            hub_clearance_mm: hub_is_aside.then_some(self.job.channel.clearance_mm),
             lean_rad: self.job.machine.b_deg.to_radians(),
         }
     }

@@ -333,8 +333,8 @@ impl ReadPart {
         let bladed = wheel::wheel(looked_at).map(Bladed::Whole);
         let bladed = bladed.or_else(|| sector::sector(looked_at).map(Bladed::Sector));
         let wheel = bladed.as_ref().and_then(Bladed::whole);
-        let rotor = if let Some(Bladed::Sector(w)) = &bladed { Some(&w.axis) } else { None };
-        let known = Known { stacking: stacking.as_ref(), wheel, rotor };
+        let sector_of = if let Some(Bladed::Sector(w)) = &bladed { Some(w) } else { None };
+        let known = Known { stacking: stacking.as_ref(), wheel, sector_of };
         let found = recognised(looked_at, &known, &face_names, options, sheets && own.is_none());
         let found = on_whole(found, own, &part.mesh, &bodies);
         if let (Ok(_), Some(w)) = (&found, wheel) {

@@ -1,12 +1,14 @@
 //! The contours of a wheel's hub and of the tips of its blades in the half-plane through the rotor
 //! axis.
 //!
-//! In: the mesh of a whole wheel, cut by half-planes through the rotor axis at evenly spaced angles
-//! over one repeat. Out: two polylines, each from the end of the blades nearer to the rotor axis to
-//! the other. A place that all half-planes find inside is in the hub, one that some find inside
-//! passes through blades, the others are outside. Blades lie between the two contours; where they
-//! begin and end along the flow, the outside reaches down to the hub, and the corner there parts
-//! that edge from the tips.
+//! In: the mesh of a whole wheel or of one sector, cut by half-planes through the rotor axis at
+//! evenly spaced angles over one repeat. Out: two polylines, each from the end of the blades nearer
+//! to the rotor axis to the other. A place that all half-planes find inside is in the hub. One that
+//! some find inside, and that a blade's own surface passes over, is in blades: so a disc that is
+//! cut out between them, as that of a turbocharger's turbine, is none. Blades lie between the two
+//! contours. Where the border of the blades has something inside beyond it, at the angle of the
+//! blade, it is on the hub. Where blades begin and end along the flow, the outside reaches down to
+//! the hub, and the corner there parts that edge from the tips.
 //!
 //! Limits: a wheel whose blades carry a shroud has no tips, and no contours.
 
@@ -16,6 +18,7 @@ use super::wheel::Wheel;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::slice::{Loop, slice_triangles};
 use crate::geometry::{Point, Rigid, Vector};
+use crate::numerics::angle::within_half_turn;
 use crate::parallel;
 
 /// Half-planes stand this far apart at the outside of the wheel, as a share of its radius …
@@ -27,8 +30,12 @@ const GRID: usize = 96;
 /// What this share of the half-planes finds inside is in the hub: facets of round surfaces let some
 /// miss.
 const ALL: f64 = 0.97;
+/// Beyond the border, by this share of the grid's step, hub is told from outside.
+const BEYOND: f64 = 0.1;
 /// Halvings of an edge of the grid on a border.
 const HALVINGS: u32 = 12;
+/// Tips that turn by this from one place to the next at their end go over into an edge there.
+const HOOK_RAD: f64 = 0.25;
 /// A corner turns by this within this share of the outer border either side, …
 const CORNER_RAD: f64 = 0.5;
 /// See [`CORNER_RAD`].
@@ -54,6 +61,30 @@ pub struct HalfPlanes {
     bounds: [Place; 2],
 }
 
+/// What a blade's surface passes over in the half-plane.
+pub struct Silhouette {
+    triangles: Vec<[Place; 3]>,
+    /// Angle of each, rad.
+    angles: Vec<f64>,
+}
+
+impl Silhouette {
+    fn covers(&self, q: Place) -> bool {
+        self.triangles.iter().any(|t| {
+            let side = |a: Place, b: Place| (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
+            let sides = [side(t[0], t[1]), side(t[1], t[2]), side(t[2], t[0])];
+            sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0)
+        })
+    }
+
+    /// Angle of the surface nearest to a place, rad.
+    fn angle(&self, q: Place) -> Option<f64> {
+        let off = |t: &[Place; 3]| (t[0][0] - q[0]).hypot(t[0][1] - q[1]);
+        let near = self.triangles.iter().zip(&self.angles).min_by(|a, b| off(a.0).total_cmp(&off(b.0)));
+        near.map(|(_, angle)| *angle)
+    }
+}
+
 /// Contours of a wheel.
 pub struct Contours {
     /// Of the hub under the blades.
@@ -63,8 +94,9 @@ pub struct Contours {
 }
 
 impl HalfPlanes {
-    /// Cuts a wheel.
-    pub fn new(mesh: &Mesh, wheel: &Wheel) -> HalfPlanes {
+    /// Cuts a wheel. `is_sector`: the mesh is one sector, and the wheel is made of as many as it
+    /// has repeats.
+    pub fn new(mesh: &Mesh, wheel: &Wheel, is_sector: bool) -> HalfPlanes {
         let rotation = super::run::frame_along(&wheel.axis).rotation;
         let frame = Rigid::from_parts(wheel.through.into(), rotation);
         let seen = mesh.clone().moved(&frame.inverse());
@@ -77,9 +109,8 @@ impl HalfPlanes {
         let [fewest, most] = PLANES;
         let count = (repeat_rad / APART).ceil().clamp(fewest, most) as usize;
         let all: Vec<u32> = (0..seen.triangles.len() as u32).collect();
-        let cut = |k: usize| {
+        let cut = |angle: f64| {
             // The half-plane comes to lie on that of y and z, with the axis along y.
-            let angle = repeat_rad * k as f64 / count as f64;
             let (s, c) = angle.sin_cos();
             let place = |p: &Point| Point::new(c * p.z - s * p.y, p.x, c * p.y + s * p.z);
             let turned = Mesh {
@@ -89,7 +120,10 @@ impl HalfPlanes {
             };
             slice_triangles(&turned, &all, 0.0)
         };
-        let sections = parallel::map(0..count, cut);
+        // What a sector has in the other repeats, its copies have in the first one.
+        let repeats = if is_sector { repeats_with(&seen, repeat_rad) } else { vec![0] };
+        let angle = |k: usize, repeat: usize| repeat_rad * (repeat as f64 + k as f64 / count as f64);
+        let sections = parallel::map(0..count, |k| repeats.iter().flat_map(|repeat| cut(angle(k, *repeat))).collect());
         HalfPlanes { sections, frame, repeat_rad, bounds: [low, high] }
     }
 
@@ -143,9 +177,49 @@ impl HalfPlanes {
         d.z.atan2(d.y)
     }
 
+    /// What some triangles of the mesh, which is seen in the model frame, pass over.
+    pub fn silhouette(&self, mesh: &Mesh, triangles: &[u32]) -> Silhouette {
+        let seen = |p: &Point| {
+            let p = self.frame.inverse_transform_point(p);
+            ([p.x, p.y.hypot(p.z)], p.z.atan2(p.y))
+        };
+        let of = |t: &u32| mesh.corners(*t as usize).map(|p| seen(&p));
+        let (triangles, angles) = triangles.iter().map(of).map(|t| (t.map(|p| p.0), t[0].1)).unzip();
+        Silhouette { triangles, angles }
+    }
+
+    /// The place that is farthest from what is no blade, by steps of a grid.
+    pub fn deepest(&self) -> Option<Place> {
+        let grid = Grid::new(self);
+        let mut steps = vec![0u32; GRID * GRID];
+        let mut open: Vec<usize> = (0..GRID * GRID).filter(|k| grid.has(k / GRID, k % GRID)).collect();
+        let mut last = *open.first()?;
+        for step in 1.. {
+            let amid = |k: &usize| [k - 1, k + 1, k - GRID, k + GRID].iter().all(|k| steps[*k] + 1 >= step);
+            open.retain(amid);
+            let Some(one) = open.get(open.len() / 2) else { break };
+            last = *one;
+            open.iter().for_each(|k| steps[*k] = step);
+        }
+        Some(grid.place(last / GRID, last % GRID))
+    }
+
+    /// Whether the blade at a place goes on inside at another place: on a hub it does.
+    fn goes_on(&self, silhouette: &Silhouette, from: Place, to: Place) -> bool {
+        let Some(angle) = silhouette.angle(from) else { return false };
+        let off = |middle: f64| {
+            let turns = (middle - angle) / self.repeat_rad;
+            (turns - turns.round()).abs()
+        };
+        let middles = self.blades(from).into_iter().map(|[a, b]| 0.5 * (a + b));
+        let nearest = middles.min_by(|a, b| off(*a).total_cmp(&off(*b)));
+        let n = self.sections.len();
+        nearest.is_some_and(|m| self.is_inside((m / self.repeat_rad * n as f64).round() as usize % n, to))
+    }
+
     /// The contours; `None` where there are no blades that stand on a hub and end in tips.
-    pub fn contours(&self) -> Option<Contours> {
-        let border = Grid::new(self).border()?;
+    pub fn contours(&self, of: &Silhouette) -> Option<Contours> {
+        let border = Grid::new(self).within(of).border(of)?;
         // From where the border leaves the hub to where it comes back to it, and along the hub.
         let n = border.len();
         let runs = |of_hub: bool| {
@@ -175,12 +249,26 @@ impl HalfPlanes {
         if entry + FEWEST > exit {
             return None;
         }
-        let (mut hub, mut tip) = (hub, outer[entry..=exit].to_vec());
+        let tip = unhooked(reversed(&unhooked(outer[entry..=exit].to_vec())));
+        let (mut hub, mut tip) = (hub, reversed(&tip));
         if hub[0][1] > hub[hub.len() - 1][1] {
             (hub, tip) = (reversed(&hub), reversed(&tip));
         }
         Some(Contours { hub, tip })
     }
+}
+
+/// The repeats of a wheel about x in which a mesh has something, counted from y towards z.
+fn repeats_with(mesh: &Mesh, repeat_rad: f64) -> Vec<usize> {
+    let count = (TAU / repeat_rad).round() as usize;
+    let angles: Vec<f64> = mesh.points.iter().map(|p| p.z.atan2(p.y)).collect();
+    let mut has = vec![false; count];
+    for [a, b] in mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]) {
+        let (from, by) = (angles[a as usize], within_half_turn(angles[b as usize] - angles[a as usize]));
+        let [low, high] = [from.min(from + by), from.max(from + by)].map(|x| (x / repeat_rad).floor() as i64);
+        (low..=high).for_each(|k| has[k.rem_euclid(count as i64) as usize] = true);
+    }
+    (0..count).filter(|k| has[*k]).collect()
 }
 
 /// Length of a polyline.
@@ -227,6 +315,22 @@ fn corner(outer: &[Place], hub: &[Place], entry: f64, whole: f64) -> Option<usiz
     Some(best)
 }
 
+/// Tips without what turns into the edge of the blades at their last end: heights that follow such
+/// a hook fold.
+fn unhooked(mut tip: Vec<Place>) -> Vec<Place> {
+    let window = WINDOW * length(&tip);
+    while let [.., before, last] = &tip[..] {
+        let from = (1..tip.len() - 1).rev().find(|k| length(&tip[*k..tip.len() - 1]) >= window).unwrap_or(0);
+        let [u, v] = [[tip[from], *before], [*before, *last]].map(|[a, b]| [b[0] - a[0], b[1] - a[1]]);
+        let turn = (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1]).abs();
+        if tip.len() <= FEWEST || turn <= HOOK_RAD {
+            break;
+        }
+        tip.pop();
+    }
+    tip
+}
+
 /// A point on the border of the blades.
 struct OnBorder {
     at: Place,
@@ -244,6 +348,16 @@ impl<'a> Grid<'a> {
         let mut grid = Grid { planes, share: Vec::new() };
         grid.share = parallel::map(0..GRID * GRID, |k| planes.share(grid.place(k / GRID, k % GRID)));
         grid
+    }
+
+    /// The grid without what a silhouette does not cover and the hub has not.
+    fn within(mut self, silhouette: &Silhouette) -> Self {
+        let kept = |k: usize| {
+            let share = self.share[k];
+            if Self::is_bladed(share) && !silhouette.covers(self.place(k / GRID, k % GRID)) { 0.0 } else { share }
+        };
+        self.share = parallel::map(0..GRID * GRID, kept);
+        self
     }
 
     /// The place of a node. The outermost nodes lie outside the wheel, the innermost on its axis.
@@ -266,7 +380,7 @@ impl<'a> Grid<'a> {
     }
 
     /// The border of the largest piece, blades to the left.
-    fn border(&self) -> Option<Vec<OnBorder>> {
+    fn border(&self, silhouette: &Silhouette) -> Option<Vec<OnBorder>> {
         let squares = GRID - 1;
         let corner = |square: usize, k: usize| {
             let [di, dj] = [[0, 0], [1, 0], [1, 1], [0, 1]][k % 4];
@@ -325,13 +439,47 @@ impl<'a> Grid<'a> {
         let on_border = |(square, k): &(usize, usize)| {
             let ((i, j), (m, n)) = (corner(*square, *k), corner(*square, *k + 1));
             let (mut good, mut bad) = (self.place(i, j), self.place(m, n));
+            let is_blade = |q: Place| Self::is_bladed(self.planes.share(q)) && silhouette.covers(q);
+            let step = [bad[0] - good[0], bad[1] - good[1]];
             for _ in 0..HALVINGS {
                 let middle = [0.5 * (good[0] + bad[0]), 0.5 * (good[1] + bad[1])];
-                if Self::is_bladed(self.planes.share(middle)) { good = middle } else { bad = middle }
+                if is_blade(middle) { good = middle } else { bad = middle }
             }
-            OnBorder { at: good, of_hub: self.share[m * GRID + n] >= ALL }
+            let beyond = [good[0] + BEYOND * step[0], good[1] + BEYOND * step[1]];
+            let of_hub = self.share[m * GRID + n] >= ALL || self.planes.goes_on(silhouette, good, beyond);
+            OnBorder { at: good, of_hub }
         };
         let border = parallel::map(&best.1, on_border);
         (border.len() >= 4 * FEWEST).then_some(border)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tips that go over into an edge by a rounded corner end before it.
+    #[test]
+    fn tips_end_before_a_hook() {
+        let arc = |k: u32| {
+            let (s, c) = (0.02 * f64::from(k)).sin_cos();
+            [20.0 * s, 20.0 * c]
+        };
+        let tips: Vec<Place> = (0..40).map(arc).collect();
+        assert_eq!(unhooked(tips.clone()), tips);
+        let [x, y] = tips[39];
+        let hook = [[x + 0.25, y - 0.32], [x + 0.3, y - 0.7], [x + 0.25, y - 1.1]];
+        let found = unhooked(tips.iter().copied().chain(hook).collect());
+        assert!(found.len() <= 41 && found.len() >= 39 && found[..39] == tips[..39], "{}", found.len());
+    }
+
+    /// A silhouette is what triangles pass over, seen along circles about the rotor axis.
+    #[test]
+    fn a_silhouette_covers_what_its_triangles_do() {
+        let of = Silhouette { triangles: vec![[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]], angles: vec![0.3] };
+        for (q, inside) in [([0.5, 0.5], true), ([1.2, 1.2], false), ([-0.1, 0.5], false), ([0.5, -0.1], false)] {
+            assert_eq!(of.covers(q), inside, "{q:?}");
+        }
+        assert_eq!(of.angle([5.0, 5.0]), Some(0.3));
     }
 }

@@ -39,7 +39,7 @@ pub fn given(mesh: &Mesh, axis: [f64; 3], faces: Option<&[bool]>, known: &Known)
     let run = run::along(mesh, &direction, faces);
     let found = match known.stacking {
         Some(s) => search::stacked(mesh, s, faces),
-        None => search::search(mesh, faces, known.rotor),
+        None => search::search(mesh, faces, known.sector_of.map(|w| &w.axis)),
     };
     if run.links.is_empty() {
         return Err(nothing_along(mesh, &direction, faces, found.ok()));

@@ -129,8 +129,8 @@ pub struct Known<'a> {
     pub stacking: Option<&'a Stacking>,
     /// The wheel that the part is.
     pub wheel: Option<&'a Wheel>,
-    /// Axis of the wheel that it is one sector of.
-    pub rotor: Option<&'a Vector>,
+    /// The wheel that it is one sector of.
+    pub sector_of: Option<&'a Wheel>,
 }
 
 /// Finds axis and regions.
@@ -138,12 +138,14 @@ pub struct Known<'a> {
 /// # Errors
 /// `Usage`: an axis of no length. `InputOutput`: no direction along which sections continue.
 pub fn recognise(mesh: &Mesh, face_names: &[FaceName], options: &ModelOptions, known: &Known) -> Result<Recognised> {
-    let Known { stacking, wheel, rotor } = *known;
+    let Known { stacking, wheel, sector_of } = *known;
     let airfoil = named::faces(&options.airfoil_faces, face_names)?;
     let airfoil = airfoil.as_deref();
     let (mut doubts, mut against) = (Vec::new(), None);
-    if let (Some(w), None) = (wheel, airfoil)
-        && let Some(blade) = impeller::blade(mesh, w, options.axis)
+    // The axis of a sector says along what its blade stands, since there is one blade to choose.
+    let of_sector = sector_of.filter(|_| options.axis.is_none()).map(|w| (w, true));
+    if let (Some((w, is_sector)), None) = (wheel.map(|w| (w, false)).or(of_sector), airfoil)
+        && let Some(blade) = impeller::blade(mesh, w, is_sector, options.axis)
     {
         return Ok(over_hub(mesh, blade));
     }
@@ -160,7 +162,7 @@ pub fn recognise(mesh: &Mesh, face_names: &[FaceName], options: &ModelOptions, k
             let found = match (stacking, wheel) {
                 (Some(s), _) => search::stacked(mesh, s, airfoil)?,
                 (None, Some(w)) => one_blade::search(mesh, w, airfoil)?,
-                (None, None) => search::search(mesh, airfoil, rotor)?,
+                (None, None) => search::search(mesh, airfoil, sector_of.map(|w| &w.axis))?,
             };
             doubts.extend(found.doubt);
             (found.run, found.reason)
