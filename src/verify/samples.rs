@@ -93,7 +93,7 @@ pub(super) fn near_path(part: &Allowed, sweep: &Sweep, reach_mm: f64, count: usi
     }
     let (by_facets, may_hide) = (part.brep.is_none(), has_several_bodies(part));
     let counts = |s: &Sample| sweep.is_for(&s.point, &s.normal, by_facets) && !(may_hide && is_hidden(part, s));
-    let sample = |(t, p)| on_surface(part, t, p).filter(counts);
+    let sample = |(t, p)| on_surface(part, t, p).filter(|s| !sweep.is_beside(part, t) && counts(s));
     let points = parallel::filter_map(raw, sample);
     Samples { points, area_mm2: spacing }
 }

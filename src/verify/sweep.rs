@@ -5,7 +5,9 @@ use parry3d_f64::math::Vector as ParryVector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, TraversalAction};
 
 use crate::artifact::along::Along;
+use crate::artifact::region::{Area, Patch};
 use crate::artifact::{Blade, Toolpath, Wheel};
+use crate::geometry::part::Part;
 use crate::geometry::triangle::share_of_segment;
 use crate::geometry::{Point, Vector};
 
@@ -31,6 +33,8 @@ pub(super) struct Sweep {
     hub: Option<(Wheel, [f64; 2])>,
     /// What is high on the blade, where that is over a hub that turns.
     over: Option<Along>,
+    /// The platform beside the blade.
+    platform: Option<Patch>,
 }
 
 /// A place so low over a hub that turns, mm, with a normal that leans so little off that of the
@@ -97,7 +101,7 @@ impl Sweep {
             (leaf, ParryAabb::new(ParryVector::new(lo.x, lo.y, lo.z), ParryVector::new(hi.x, hi.y, hi.z)))
         });
         let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes);
-        Sweep { centres, contacts, turns, radius_mm, wanted, leaves, tree, hub: None, over: None }
+        Sweep { centres, contacts, turns, radius_mm, wanted, leaves, tree, hub: None, over: None, platform: None }
     }
 
     /// The same over the hub of a wheel, where there is one: what else the ball comes near to is
@@ -112,10 +116,21 @@ impl Sweep {
     }
 
     /// The same round a blade. Where that stands on a hub that turns, the hub beside it is not to
-    /// be machined.
+    /// be machined, nor is a platform.
     pub fn round(self, blade: &Blade) -> Self {
         let own = blade.regions.list.first().map(|region| region.along);
-        Sweep { over: own.filter(|along| along.round().is_some()), ..self }
+        let platform = blade.regions.first(Area::Platform).filter(|_| self.hub.is_none());
+        let platform = platform.map(|region| region.patch.clone());
+        Sweep { over: own.filter(|along| along.round().is_some()), platform, ..self }
+    }
+
+    /// Whether a triangle of the part is of the platform beside the blade, and not of a fillet that
+    /// goes over into it.
+    pub fn is_beside(&self, part: &Part, triangle: usize) -> bool {
+        self.platform.as_ref().is_some_and(|patch| {
+            let is_flat = || part.mesh.normal(triangle).angle(&Vector::x()) < ON_HUB_RAD;
+            patch.has(&part.mesh, triangle as u32) && (part.brep.is_some() || is_flat())
+        })
     }
 
     /// Whether a place with this normal is of the surface that the path is to machine; of a hub,
@@ -306,6 +321,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::artifact::meridian::Meridian;
+    use crate::artifact::region::Region;
     use proptest::prelude::*;
 
     fn vector() -> impl Strategy<Value = Vector> {
@@ -333,6 +349,32 @@ mod tests {
             assert!(sweep(&over).is_for(&on, &leaning, false) && sweep(&over).is_for(&above, &up, false), "{share}");
             assert!(sweep(&over).is_for(&above, &aside, false) && sweep(&straight).is_for(&on, &up, false));
         }
+    }
+
+    /// The platform is not the blade's surface; what of it leans may be a fillet where facets alone
+    /// tell. Rows over a hub have no platform beside them.
+    #[test]
+    fn the_platform_is_not_the_blades() {
+        let mut blade = crate::sample::blade();
+        let mesh = &blade.part.mesh;
+        let faces = |wanted: &[u32]| -> Vec<u32> {
+            (0..mesh.triangles.len() as u32).filter(|t| wanted.contains(&mesh.face(*t as usize))).collect()
+        };
+        let (side, top) = (faces(&[0]), faces(&[2]));
+        let patch = Patch::Facets(faces(&[0, 2]));
+        let path = crate::sample::plan(1, 12).toolpath;
+        let bare = Sweep::new(&path).round(&blade);
+        let platform = Region { patch, ..Region::between(Area::Platform, None, None) };
+        blade.regions.list.retain(|r| r.area != Area::Platform);
+        blade.regions.list.push(platform);
+        let sweep = Sweep::new(&path).round(&blade);
+        assert!(
+            top.iter().all(|t| sweep.is_beside(&blade.part, *t as usize) && !bare.is_beside(&blade.part, *t as usize))
+        );
+        assert!(side.iter().all(|t| !sweep.is_beside(&blade.part, *t as usize)));
+        let (_, wheel) = crate::sample::plates(12, 2.0);
+        let rows = Sweep::new(&path).over_hub(Some(wheel)).round(&blade);
+        assert!(top.iter().all(|t| !rows.is_beside(&blade.part, *t as usize)));
     }
 
     /// A wall 0.3 mm thick, milled on one side by a ball of radius 0.5: on the other side nothing
