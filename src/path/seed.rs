@@ -162,7 +162,8 @@ impl OwnSurface {
             let step = apart * level.radius_mm / radius_mm.max(level.radius_mm);
             let outwards = (1..=most).flat_map(|k| [1.0, -1.0].map(|side| on_blade + side * step * f64::from(k)));
             let mut touches = outwards.filter_map(|angle| level.touch_in_plane(&at(angle), 0.5 * level.radius_mm));
-            touches.find(|t| self.has(&t.contact))
+            // Small balls have room within a thick blade, too.
+            touches.find(|t| self.has(&t.contact) && !level.part.inside(&t.centre))
         })
     }
 

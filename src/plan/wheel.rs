@@ -268,6 +268,36 @@ mod tests {
         assert!(least(5.0, 45.0) && least(-5.0, 45.0));
     }
 
+    /// The sample impeller as it is read.
+    fn impeller() -> Blade {
+        let mesh = sample::impeller();
+        let mut text = String::new();
+        for p in &mesh.points {
+            text += &format!("v {} {} {}\n", p.x, p.y, p.z);
+        }
+        for [a, b, c] in &mesh.triangles {
+            text += &format!("f {} {} {}\n", a + 1, b + 1, c + 1);
+        }
+        let model = crate::read::model::ModelOptions::default();
+        crate::read::model::load_bytes(Path::new("impeller.obj"), text.as_bytes(), &model, &Silent).unwrap()
+    }
+
+    /// A ball that has room within the blade goes round it all the same, wherever its turns begin.
+    #[test]
+    fn small_balls_go_round_the_blade_of_an_impeller_outside() {
+        let blade = impeller();
+        let usual = crate::path::PathOptions::new(0.6, 0.2);
+        for k in 0..12 {
+            let start_mm = 5.0 + 0.55 * f64::from(k);
+            let extent = crate::plan::Extent::heights(Some(start_mm), Some(start_mm - 1.0));
+            let options = crate::path::PathOptions { extent, ..usual.clone() }
+                .with(|s| s.kind = crate::plan::PathKind::ConstantHeight);
+            let path = crate::path::plan(&blade, &options, &Silent).unwrap();
+            let inside = path.locations.iter().filter(|l| blade.part.inside(&l.centre)).count();
+            assert_eq!(inside, 0, "from height {start_mm}: {inside} of {}", path.locations.len());
+        }
+    }
+
     /// A blade whose hub turns from along the rotor axis to across it: the turns lie at heights
     /// over that hub, and every check passes.
     #[test]
@@ -291,17 +321,7 @@ mod tests {
             [verify]
             surface_samples = 20000
         ";
-        let mesh = sample::impeller();
-        let mut text = String::new();
-        for p in &mesh.points {
-            text += &format!("v {} {} {}\n", p.x, p.y, p.z);
-        }
-        for [a, b, c] in &mesh.triangles {
-            text += &format!("f {} {} {}\n", a + 1, b + 1, c + 1);
-        }
-        let model = crate::read::model::ModelOptions::default();
-        let blade =
-            crate::read::model::load_bytes(Path::new("impeller.obj"), text.as_bytes(), &model, &Silent).unwrap();
+        let blade = impeller();
         let along = blade.regions.list[0].along.for_ball(2.0).unwrap();
         let machine = include_str!("../../models/machines/trunnion_ac.toml");
         let draft = job::resolve(job::parse(job, "job").unwrap(), Path::new("")).unwrap();
