@@ -142,7 +142,30 @@ fn on_surface(part: &Allowed, triangle: usize, p: Point) -> Option<Sample> {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use crate::artifact::region::{Area, Patch, Region};
     use crate::sample::{impeller, impeller_contour};
+
+    /// What the ball comes near to on the platform beside a blade is not looked at.
+    #[test]
+    fn the_platform_beside_a_path_has_no_samples() {
+        let mut blade = crate::sample::blade();
+        let mesh = &blade.part.mesh;
+        let top: Vec<u32> = (0..mesh.triangles.len() as u32).filter(|t| mesh.normal(*t as usize).x > 0.9).collect();
+        let [height_mm, wide_mm] = [0, 1].map(|k| mesh.points.iter().map(|p| p[k]).fold(f64::NEG_INFINITY, f64::max));
+        let centres: Vec<Point> = (0..=60)
+            .map(|k| (f64::from(k) * 0.1).sin_cos())
+            .map(|(s, c)| Point::new(height_mm + 2.0, 0.5 * wide_mm * c, 0.5 * wide_mm * s))
+            .collect();
+        let sweep = || Sweep::of(centres.clone(), centres.clone(), vec![0; 61], 2.0, None);
+        let count = |sweep: Sweep, blade: &crate::artifact::Blade| {
+            near_path(&Allowed::new(&blade.part, 0.0), &sweep, 1.0, 300).points.len()
+        };
+        let bare = count(sweep().round(&blade), &blade);
+        blade.regions.list.retain(|r| r.area != Area::Platform);
+        blade.regions.list.push(Region { patch: Patch::Facets(top), ..Region::between(Area::Platform, None, None) });
+        assert!(bare > 250, "{bare}");
+        assert_eq!(count(sweep().round(&blade), &blade), 0);
+    }
 
     /// Blades that reach into their hub hide what of it is under them, and their own roots.
     #[test]
