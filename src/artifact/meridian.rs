@@ -245,9 +245,13 @@ impl Meridian {
     /// Directions at a point, unit: towards greater height, round the rotor axis, and across both.
     pub fn directions(&self, p: &Point) -> [Vector; 3] {
         let (q, out) = self.seen(p);
-        let gradient = self.place(&q).gradient;
-        let round = self.axis.cross(&out);
-        let up = (self.axis * gradient.x + out * gradient.y).try_normalize(1e-12).unwrap_or(out);
+        self.directions_at(&self.place(&q), &out)
+    }
+
+    /// The directions at a place, where `out` leads away from the axis.
+    fn directions_at(&self, place: &Place, out: &Vector) -> [Vector; 3] {
+        let round = self.axis.cross(out);
+        let up = (self.axis * place.gradient.x + out * place.gradient.y).try_normalize(1e-12).unwrap_or(*out);
         [up, round, up.cross(&round)]
     }
 
@@ -273,8 +277,9 @@ impl Meridian {
     /// Whether surface with this place and normal is the blunt edge of a blade: at one end, between
     /// hub and tips, and facing along the flow rather than towards either.
     pub fn is_edge(&self, p: &Point, normal: &Vector) -> bool {
-        let place = self.place(&self.seen(p).0);
-        let [up, _, across] = self.directions(p).map(|d| d.dot(normal).abs());
+        let (q, out) = self.seen(p);
+        let place = self.place(&q);
+        let [up, _, across] = self.directions_at(&place, &out).map(|d| d.dot(normal).abs());
         let amid = AT_END..1.0 - AT_END;
         across > up && !amid.contains(&place.along) && (0.0..1.0).contains(&place.share)
     }

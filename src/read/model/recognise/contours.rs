@@ -188,20 +188,11 @@ impl HalfPlanes {
         Silhouette { triangles, angles }
     }
 
-    /// The place that is farthest from what is no blade, by steps of a grid.
-    pub fn deepest(&self) -> Option<Place> {
-        let grid = Grid::new(self);
-        let mut steps = vec![0u32; GRID * GRID];
-        let mut open: Vec<usize> = (0..GRID * GRID).filter(|k| grid.has(k / GRID, k % GRID)).collect();
-        let mut last = *open.first()?;
-        for step in 1.. {
-            let amid = |k: &usize| [k - 1, k + 1, k - GRID, k + GRID].iter().all(|k| steps[*k] + 1 >= step);
-            open.retain(amid);
-            let Some(one) = open.get(open.len() / 2) else { break };
-            last = *one;
-            open.iter().for_each(|k| steps[*k] = step);
-        }
-        Some(grid.place(last / GRID, last % GRID))
+    /// Shares of the half-planes over a grid.
+    pub fn grid(&self) -> Grid<'_> {
+        let mut grid = Grid { planes: self, share: Vec::new() };
+        grid.share = parallel::map(0..GRID * GRID, |k| self.share(grid.place(k / GRID, k % GRID)));
+        grid
     }
 
     /// Whether the blade at a place goes on inside at another place: on a hub it does.
@@ -215,46 +206,6 @@ impl HalfPlanes {
         let nearest = middles.min_by(|a, b| off(*a).total_cmp(&off(*b)));
         let n = self.sections.len();
         nearest.is_some_and(|m| self.is_inside((m / self.repeat_rad * n as f64).round() as usize % n, to))
-    }
-
-    /// The contours; `None` where there are no blades that stand on a hub and end in tips.
-    pub fn contours(&self, of: &Silhouette) -> Option<Contours> {
-        let border = Grid::new(self).within(of).border(of)?;
-        // From where the border leaves the hub to where it comes back to it, and along the hub.
-        let n = border.len();
-        let runs = |of_hub: bool| {
-            let begins = (0..n).filter(|k| border[*k].of_hub == of_hub && border[(*k + n - 1) % n].of_hub != of_hub);
-            begins
-                .map(|from| {
-                    let count = (0..n).take_while(|k| border[(from + k) % n].of_hub == of_hub).count();
-                    (0..count).map(|k| border[(from + k) % n].at).collect::<Vec<Place>>()
-                })
-                .collect::<Vec<_>>()
-        };
-        let hub = runs(true).into_iter().max_by(|a, b| length(a).total_cmp(&length(b)))?;
-        // All the way round from its one end to the other.
-        let [first, last] = [hub.first()?, hub.last()?];
-        let at = |p: &Place| border.iter().position(|b| b.at == *p);
-        let (from, to) = (at(last)?, at(first)?);
-        let count = (to + n - from) % n;
-        let mut outer: Vec<Place> = (0..=count).map(|k| border[(from + k) % n].at).collect();
-        outer.reverse();
-        if hub.len() < FEWEST || outer.len() < FEWEST {
-            return None;
-        }
-        let (whole, window) = (length(&outer), length(&hub) * ENTRY);
-        let entry = corner(&outer, &hub, window, whole)?;
-        let reversed = |of: &[Place]| of.iter().rev().copied().collect::<Vec<_>>();
-        let exit = outer.len() - 1 - corner(&reversed(&outer), &reversed(&hub), window, whole)?;
-        if entry + FEWEST > exit {
-            return None;
-        }
-        let tip = unhooked(reversed(&unhooked(outer[entry..=exit].to_vec())));
-        let (mut hub, mut tip) = (hub, reversed(&tip));
-        if hub[0][1] > hub[hub.len() - 1][1] {
-            (hub, tip) = (reversed(&hub), reversed(&tip));
-        }
-        Some(Contours { hub, tip })
     }
 }
 
@@ -338,16 +289,65 @@ struct OnBorder {
 }
 
 /// Shares of the half-planes over a grid.
-struct Grid<'a> {
+pub struct Grid<'a> {
     planes: &'a HalfPlanes,
     share: Vec<f64>,
 }
 
-impl<'a> Grid<'a> {
-    fn new(planes: &'a HalfPlanes) -> Self {
-        let mut grid = Grid { planes, share: Vec::new() };
-        grid.share = parallel::map(0..GRID * GRID, |k| planes.share(grid.place(k / GRID, k % GRID)));
-        grid
+impl Grid<'_> {
+    /// The place that is farthest from what is no blade, by steps of a grid.
+    pub fn deepest(&self) -> Option<Place> {
+        let mut steps = vec![0u32; GRID * GRID];
+        let mut open: Vec<usize> = (0..GRID * GRID).filter(|k| self.has(k / GRID, k % GRID)).collect();
+        let mut last = *open.first()?;
+        for step in 1.. {
+            let amid = |k: &usize| [k - 1, k + 1, k - GRID, k + GRID].iter().all(|k| steps[*k] + 1 >= step);
+            open.retain(amid);
+            let Some(one) = open.get(open.len() / 2) else { break };
+            last = *one;
+            open.iter().for_each(|k| steps[*k] = step);
+        }
+        Some(self.place(last / GRID, last % GRID))
+    }
+
+    /// The contours; `None` where there are no blades that stand on a hub and end in tips.
+    pub fn contours(self, of: &Silhouette) -> Option<Contours> {
+        let border = self.within(of).border(of)?;
+        // From where the border leaves the hub to where it comes back to it, and along the hub.
+        let n = border.len();
+        let runs = |of_hub: bool| {
+            let begins = (0..n).filter(|k| border[*k].of_hub == of_hub && border[(*k + n - 1) % n].of_hub != of_hub);
+            begins
+                .map(|from| {
+                    let count = (0..n).take_while(|k| border[(from + k) % n].of_hub == of_hub).count();
+                    (0..count).map(|k| border[(from + k) % n].at).collect::<Vec<Place>>()
+                })
+                .collect::<Vec<_>>()
+        };
+        let hub = runs(true).into_iter().max_by(|a, b| length(a).total_cmp(&length(b)))?;
+        // All the way round from its one end to the other.
+        let [first, last] = [hub.first()?, hub.last()?];
+        let at = |p: &Place| border.iter().position(|b| b.at == *p);
+        let (from, to) = (at(last)?, at(first)?);
+        let count = (to + n - from) % n;
+        let mut outer: Vec<Place> = (0..=count).map(|k| border[(from + k) % n].at).collect();
+        outer.reverse();
+        if hub.len() < FEWEST || outer.len() < FEWEST {
+            return None;
+        }
+        let (whole, window) = (length(&outer), length(&hub) * ENTRY);
+        let entry = corner(&outer, &hub, window, whole)?;
+        let reversed = |of: &[Place]| of.iter().rev().copied().collect::<Vec<_>>();
+        let exit = outer.len() - 1 - corner(&reversed(&outer), &reversed(&hub), window, whole)?;
+        if entry + FEWEST > exit {
+            return None;
+        }
+        let tip = unhooked(reversed(&unhooked(outer[entry..=exit].to_vec())));
+        let (mut hub, mut tip) = (hub, reversed(&tip));
+        if hub[0][1] > hub[hub.len() - 1][1] {
+            (hub, tip) = (reversed(&hub), reversed(&tip));
+        }
+        Some(Contours { hub, tip })
     }
 
     /// The grid without what a silhouette does not cover and the hub has not.

@@ -53,8 +53,9 @@ pub fn blade(mesh: &Mesh, wheel: &Wheel, is_sector: bool, axis: Option<[f64; 3]>
     let planes = HalfPlanes::new(mesh, wheel, is_sector);
     let surface = Surface::new(mesh, wheel);
     let met = |q: Place| met(&planes, &surface, q, is_sector);
-    let largest = met(planes.deepest()?).into_iter().max_by(|a, b| a.area_mm2.total_cmp(&b.area_mm2))?;
-    let contours = planes.contours(&planes.silhouette(mesh, &largest.triangles))?;
+    let grid = planes.grid();
+    let largest = met(grid.deepest()?).into_iter().max_by(|a, b| a.area_mm2.total_cmp(&b.area_mm2))?;
+    let contours = grid.contours(&planes.silhouette(mesh, &largest.triangles))?;
     if turning_deg(&contours.hub) < TURNS_DEG {
         return None;
     }
@@ -232,8 +233,9 @@ mod tests {
     /// The contours that [`blade`] goes by.
     fn contours_of(mesh: &Mesh, found: &Wheel) -> Option<Contours> {
         let planes = HalfPlanes::new(mesh, found, false);
-        let met = met(&planes, &Surface::new(mesh, found), planes.deepest()?, false);
-        planes.contours(&planes.silhouette(mesh, &met[0].triangles))
+        let grid = planes.grid();
+        let met = met(&planes, &Surface::new(mesh, found), grid.deepest()?, false);
+        grid.contours(&planes.silhouette(mesh, &met[0].triangles))
     }
 
     #[test]
@@ -337,7 +339,7 @@ mod tests {
             let found = sector(&mesh).expect("a sector");
             assert_eq!(found.blades, IMPELLER_BLADES as usize);
             let planes = HalfPlanes::new(&mesh, &found, true);
-            let amid = planes.deepest().expect("a place");
+            let amid = planes.grid().deepest().expect("a place");
             assert_eq!(met(&planes, &Surface::new(&mesh, &found), amid, true).len(), 1);
             let one = blade(&mesh, &found, true, None).expect("a blade");
             let shares = area_mm2(&mesh, &one) / area_mm2(&whole, &of_whole);
@@ -375,6 +377,9 @@ mod tests {
         both.points.extend(&other.points);
         both.triangles.extend(other.triangles.iter().map(|t| t.map(|p| p + n)));
         let found = sector(&mesh).expect("a sector");
+        let planes = HalfPlanes::new(&both, &found, true);
+        let amid = planes.grid().deepest().expect("a place");
+        assert!(met(&planes, &Surface::new(&both, &found), amid, true).is_empty());
         assert!(blade(&both, &found, true, None).is_none());
     }
 
